@@ -14,7 +14,8 @@ from ..mobile.survey_inputs import read_survey
 from .data_date import day_of
 
 FIELDS = ("object_id", "kind", "confidence", "height", "diameter", "lean", "azimuth", "crown", "arm", "arm_height",
-          "head_height", "board_width", "board_height", "board_z", "sigma", "points", "passes", "status", "reason")
+          "head_height", "board_width", "board_height", "board_z", "sigma", "points", "passes", "status", "reason",
+          "second_kind")
 RAIL_FIELDS = ("rail_id", "height", "sigma", "sigma_z", "length", "points", "passes", "status", "reason")
 
 
@@ -29,9 +30,10 @@ class StreetObjects(UrbanMapAlgorithm):
         "Finds poles, lamp posts, signals, signs, trees, bollards and boxes such as cabinets along the drive of a "
         "corrected mobile survey, as points at their feet with height, diameter, direction and standard deviation.\n"
         "Things that stay narrow in plan over height are stems. The axis of a stem is adjusted to the sides of it that "
-        "were seen, as each line of sight sees its middle across and its face before the axis. What hangs on the stem "
-        "tells the kind: leaves on all sides, an arm with a lamp or a large head, a flat board. A post that shows none "
-        "of these is a pole; what a sign says is not read. Bollards (0.5 to 1.5 m high) and boxes (0.7 to 2 m high, "
+        "were seen, as each line of sight sees its middle across and its face before the axis. The sizes and "
+        "the place of what hangs on the stem, beside those that standards of Japan, Germany and the United States "
+        "give to signals, signs and lamps, tell the kind and how likely it is; leaves on all sides make a tree. "
+        "What a sign says is not read. Bollards (0.5 to 1.5 m high) and boxes (0.7 to 2 m high, "
         "“other upright”) stand free beside the road.\n"
         "Stems of few points, with a hidden foot, or that may be a part of a wall are doubtful, with the reason. "
         "Points and trajectory must be corrected ones: objects are as wrong as the survey is."
@@ -54,7 +56,7 @@ class StreetObjects(UrbanMapAlgorithm):
             "longer sides of a box), lean (degrees), azimuth (degrees, of a board's face or an arm), crown (diameter), "
             "arm and arm_height (length, and height over the ground), head_height (of what is at its end), "
             "board_width, board_height, board_z (height of the board's middle), sigma (east and north each, m), "
-            "points, passes, status (measured, doubtful), reason.", source_type=point)
+            "points, passes, status (measured, doubtful), reason, second_kind (the next likely).", source_type=point)
         self.add_layer_output(
             "OUTPUT_RAILS", "Guard rails", "LineStringZ along the foot: rail_id, height, sigma (across), sigma_z, "
             "length (m), points, passes, status, reason; as “Road edges” finds them.", optional=True, source_type=line)
@@ -131,7 +133,8 @@ class StreetObjects(UrbanMapAlgorithm):
                    "board_width": [thing.board.width if thing.board else None for thing in objects],
                    "board_height": [thing.board.height if thing.board else None for thing in objects],
                    "board_z": [float(thing.board.centre[2]) if thing.board else None for thing in objects],
-                   "reason": [tr(thing.reason) if thing.reason else None for thing in objects]}
+                   "reason": [tr(thing.reason) if thing.reason else None for thing in objects],
+                   "second_kind": [thing.second or None for thing in objects]}
         results = {"OUTPUT": self.write_layer(
             parameters, "OUTPUT", context, make_fields(*FIELDS), columns, crs,
             [shapely.points(thing.foot) for thing in objects], "PointZ", style="street_objects")}

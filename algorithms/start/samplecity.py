@@ -65,8 +65,8 @@ class SampleCity(UrbanMapAlgorithm):
                       "trajectories), stops (a long wait), ghosts (points below the road), rings (lasers that differ), "
                       "ground (heights of the airborne points that are off), rails (and decks), "
                       "driveways (lowered kerbs), signs (boards and bollards), gantries (with boards over the "
-                      "streets), islands (in the avenue), paint (worn and patched), surface (wet and concrete "
-                      "stretches), "
+                      "streets), japan, germany, us (street furniture in the sizes of their standards), islands (in "
+                      "the avenue), paint (worn and patched), surface (wet and concrete stretches), "
                       "fronts (canopies, signs, garden walls, hoardings, balconies, awnings and storeys on columns "
                       "before buildings). Without any the city is as ever.", "", optional=True,
                       advanced=True)

@@ -52,8 +52,8 @@
         <translation>不適合</translation>
     </message>
     <message>
-        <source>Faults of real surveys to put in, with commas between them: steps (in the trajectories), stops (a long wait), ghosts (points below the road), rings (lasers that differ), ground (heights of the airborne points that are off), rails (and decks), driveways (lowered kerbs), signs (boards and bollards), gantries (with boards over the streets), islands (in the avenue), paint (worn and patched), surface (wet and concrete stretches), fronts (canopies, signs, garden walls, hoardings, balconies, awnings and storeys on columns before buildings). Without any the city is as ever.</source>
-        <translation>実際の計測に見られる不具合を、コンマ区切りで加えます：steps（軌跡の段差）、stops（長い停車）、ghosts（路面より下の点）、rings（特性の異なるレーザ）、ground（航空レーザ点の標高のずれ）、rails（レールと床版）、driveways（縁石の切下げ）、signs（標識板とボラード）、gantries（道路上の標識板付き門型柱）、islands（大通りの島）、paint（摩耗や補修のある標示）、surface（濡れた区間とコンクリート区間）、fronts（建物の前の庇、看板、塀、仮囲い、バルコニー、日よけ、ピロティ）。指定しなければ通常の都市です。</translation>
+        <source>Faults of real surveys to put in, with commas between them: steps (in the trajectories), stops (a long wait), ghosts (points below the road), rings (lasers that differ), ground (heights of the airborne points that are off), rails (and decks), driveways (lowered kerbs), signs (boards and bollards), gantries (with boards over the streets), japan, germany, us (street furniture in the sizes of their standards), islands (in the avenue), paint (worn and patched), surface (wet and concrete stretches), fronts (canopies, signs, garden walls, hoardings, balconies, awnings and storeys on columns before buildings). Without any the city is as ever.</source>
+        <translation>実際の計測に見られる不具合を、コンマ区切りで加えます：steps（軌跡の段差）、stops（長い停車）、ghosts（路面より下の点）、rings（特性の異なるレーザ）、ground（航空レーザ点の標高のずれ）、rails（レールと床版）、driveways（縁石の切下げ）、signs（標識板とボラード）、gantries（道路上の標識板付き門型柱）、japan・germany・us（各国の基準の寸法による道路付属物）、islands（大通りの島）、paint（摩耗や補修のある標示）、surface（濡れた区間とコンクリート区間）、fronts（建物の前の庇、看板、塀、仮囲い、バルコニー、日よけ、ピロティ）。指定しなければ通常の都市です。</translation>
     </message>
     <message>
         <source>Workers</source>
@@ -4948,8 +4948,8 @@
         <translation>計測全体の位置の精度（m）。すべての地物の標準偏差に加わります。</translation>
     </message>
     <message>
-        <source>PointZ at the foot: object_id, kind (pole, lamp post, signal, sign, tree, bollard, other upright), confidence (0 to 1), height over the ground, diameter (of the stem, or the longer sides of a box), lean (degrees), azimuth (degrees, of a board's face or an arm), crown (diameter), arm and arm_height (length, and height over the ground), head_height (of what is at its end), board_width, board_height, board_z (height of the board's middle), sigma (east and north each, m), points, passes, status (measured, doubtful), reason.</source>
-        <translation>根元の PointZ：object_id、kind（柱、街灯、信号、標識、樹木、車止め、その他の立体物）、confidence（0～1）、height（地面からの高さ）、diameter（幹・柱の直径、箱では長辺）、lean（度）、azimuth（度、板の面または腕木の向き）、crown（樹冠の直径）、arm と arm_height（長さと地面からの高さ）、head_height（先端の物の高さ）、board_width、board_height、board_z（板の中央の高さ）、sigma（東・北それぞれ、m）、points、passes、status（measured、doubtful）、reason。</translation>
+        <source>PointZ at the foot: object_id, kind (pole, lamp post, signal, sign, tree, bollard, other upright), confidence (0 to 1), height over the ground, diameter (of the stem, or the longer sides of a box), lean (degrees), azimuth (degrees, of a board's face or an arm), crown (diameter), arm and arm_height (length, and height over the ground), head_height (of what is at its end), board_width, board_height, board_z (height of the board's middle), sigma (east and north each, m), points, passes, status (measured, doubtful), reason, second_kind (the next likely).</source>
+        <translation>根元の PointZ：object_id、kind（柱、街灯、信号、標識、樹木、車止め、その他の立体物）、confidence（0～1）、height（地面からの高さ）、diameter（幹・柱の直径、箱では長辺）、lean（度）、azimuth（度、板の面または腕木の向き）、crown（樹冠の直径）、arm と arm_height（長さと地面からの高さ）、head_height（先端の物の高さ）、board_width、board_height、board_z（板の中央の高さ）、sigma（東・北それぞれ、m）、points、passes、status（measured、doubtful）、reason、second_kind（次に確からしい種類）。</translation>
     </message>
     <message>
         <source>Guard rails</source>
@@ -5942,6 +5942,10 @@
     <message>
         <source>Lane map from markings and drives (model)</source>
         <translation>路面標示と走行からの車線地図（モデル）</translation>
+    </message>
+    <message>
+        <source>PointZ at the foot: object_id, kind (pole, lamp post, signal, sign, tree, bollard, other upright), confidence (0 to 1), height over the ground, diameter (of the stem, or the longer sides of a box), lean (degrees), azimuth (degrees, of a board's face or an arm), crown (diameter), arm and arm_height (length, and height over the ground), head_height (of what is at its end), board_width, board_height, board_z (height of the board's middle), sigma (east and north each, m), points, passes, status (measured, doubtful), reason.</source>
+        <translation>根元の PointZ：object_id、kind（柱、街灯、信号、標識、樹木、車止め、その他の立体物）、confidence（0～1）、height（地面からの高さ）、diameter（幹・柱の直径、箱では長辺）、lean（度）、azimuth（度、板の面または腕木の向き）、crown（樹冠の直径）、arm と arm_height（長さと地面からの高さ）、head_height（先端の物の高さ）、board_width、board_height、board_z（板の中央の高さ）、sigma（東・北それぞれ、m）、points、passes、status（measured、doubtful）、reason。</translation>
     </message>
     <message>
         <source>3. Makes line work of the markings.</source>
@@ -7441,10 +7445,10 @@ The histogram has overlapping bins. Each maximum with more points than the minim
     </message>
     <message>
         <source>Finds poles, lamp posts, signals, signs, trees, bollards and boxes such as cabinets along the drive of a corrected mobile survey, as points at their feet with height, diameter, direction and standard deviation.
-Things that stay narrow in plan over height are stems. The axis of a stem is adjusted to the sides of it that were seen, as each line of sight sees its middle across and its face before the axis. What hangs on the stem tells the kind: leaves on all sides, an arm with a lamp or a large head, a flat board. A post that shows none of these is a pole; what a sign says is not read. Bollards (0.5 to 1.5 m high) and boxes (0.7 to 2 m high, “other upright”) stand free beside the road.
+Things that stay narrow in plan over height are stems. The axis of a stem is adjusted to the sides of it that were seen, as each line of sight sees its middle across and its face before the axis. The sizes and the place of what hangs on the stem, beside those that standards of Japan, Germany and the United States give to signals, signs and lamps, tell the kind and how likely it is; leaves on all sides make a tree. What a sign says is not read. Bollards (0.5 to 1.5 m high) and boxes (0.7 to 2 m high, “other upright”) stand free beside the road.
 Stems of few points, with a hidden foot, or that may be a part of a wall are doubtful, with the reason. Points and trajectory must be corrected ones: objects are as wrong as the survey is.</source>
         <translation>補正済みの MMS の走行に沿って、柱、街灯、信号、標識、樹木、車止め、制御箱などの箱状の物を探し、根元の点として高さ・直径・向き・標準偏差とともに出します。
-高さ方向に平面上で細いままの物を幹（柱）とします。幹の軸は、見えた面に合わせて調整します（各視線は、横方向では軸の中央を、奥行きでは軸の手前の面を見ます）。幹に付いている物が種類を示します：四方の葉、灯具や大きな灯器の付いた腕木、平らな板。どれも無い柱は単に柱です。標識の内容は読みません。車止め（高さ 0.5～1.5 m）と箱状の物（高さ 0.7～2 m、「その他の立体物」）は道路脇に単独で立つ物です。
+高さ方向に平面上で細いままの物を幹（柱）とします。幹の軸は、見えた面に合わせて調整します（各視線は、横方向では軸の中央を、奥行きでは軸の手前の面を見ます）。幹に付いている物の寸法と位置を、日本・ドイツ・米国の基準が定める信号・標識・灯具のものと比べて、種類とその確からしさを求めます。四方に葉があれば樹木です。標識の内容は読みません。車止め（高さ 0.5～1.5 m）と箱状の物（高さ 0.7～2 m、「その他の立体物」）は道路脇に単独で立つ物です。
 点の少ない幹、根元が隠れた幹、壁の一部かもしれない幹は、理由とともに疑わしいとします。点群と軌跡は補正済みでなければなりません：対象物の誤差は測量の誤差と同じだけあります。</translation>
     </message>
     <message>
@@ -13492,12 +13496,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>支柱が見えていない</translation>
     </message>
     <message>
-        <source>it stands in the crown of a tree</source>
-        <translation>樹冠の中に立っています</translation>
-    </message>
-    <message>
         <source>half of its board may be hidden</source>
         <translation>板の半分が隠れている可能性がある</translation>
+    </message>
+    <message>
+        <source>it stands in the crown of a tree</source>
+        <translation>樹冠の中に立っています</translation>
     </message>
     <message>
         <source>few points</source>
@@ -15002,6 +15006,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>reason</source>
         <translation>理由</translation>
+    </message>
+    <message>
+        <source>kind that is next likely</source>
+        <translation>次に確からしい種類</translation>
     </message>
     <message>
         <source>note</source>

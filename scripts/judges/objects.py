@@ -133,10 +133,12 @@ def judge(city: Path, survey: Path, drive: Path, sigma: float = 0.01) -> None:
         rows = feet[measured if name == MEASURED else slice(None)]
         false = cKDTree(every).query(rows[:, :2])[0] > MATCH
         print(f"{name}: {len(rows)}, false {false.mean():.1%}")
-        if name == "all":
-            for k in np.flatnonzero(false):
-                thing = found.objects[k]
-                print(f"   false {thing.kind} {thing.foot.round(1).tolist()} {thing.status} height {thing.height:.1f}")
+    for kind in sorted({thing.standing for thing in scene.furniture if thing.standing}):
+        rows = [shapely.get_coordinates(thing.plan.centroid)[0] for thing in scene.furniture if thing.standing == kind]
+        rows = shown(np.column_stack([rows, np.full((len(rows), 1), 0.2)]), path, width, points, scene, 0.3, 3.0)
+        off, at = cKDTree(feet[:, :2]).query(rows[:, :2])
+        called = [f"{found.objects[k].kind} {found.objects[k].confidence:.2f}" for k in at[off < MATCH]]
+        print(f"{kind}: {len(rows)} true, called {dict(Counter(text.rsplit(' ', 1)[0] for text in called))}: {called}")
     print_boards(found.objects, truth["board"], path, width, points)
 
 

@@ -7,7 +7,7 @@ import pytest
 
 from tests.core import object_scene as scene
 from tests.core.road_scene import Street, to_local, write_drive
-from urbanmap_qgis.roadmap.objects.hanging_parts import outlined_board
+from urbanmap_qgis.roadmap.objects.boards import outlined_board
 from urbanmap_qgis.roadmap.objects.lone_boards import lone_boards
 from urbanmap_qgis.roadmap.objects.object_city import furniture_objects
 from urbanmap_qgis.roadmap.objects.object_records import StemAxis

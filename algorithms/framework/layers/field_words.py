@@ -66,6 +66,7 @@ _WORDS = {
     "seam": FieldWords(mark("seam of tiles")),
     "status": FieldWords(mark("status")),
     "reason": FieldWords(mark("reason")),
+    "second_kind": FieldWords(mark("kind that is next likely")),
     "note": FieldWords(mark("note")),
     "problems": FieldWords(mark("problems")),
     "text": FieldWords(mark("what was found")),

@@ -1,16 +1,13 @@
-"""What hangs on a stem and what stands round it: crowns, boards, arms and heads."""
+"""What hangs on a stem and what stands round it: crowns, and boxes round all else, which tell its kind."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 import numpy as np
-import shapely
 from scipy import ndimage
 
-from .object_records import Board, StemAxis
-from .overhead_boards import LIMITS as OVERHEAD
-from .overhead_boards import overhead_face
+from .object_records import HangingThing, StemAxis
 
 
 @dataclass(frozen=True)
@@ -20,8 +17,7 @@ class HangingPartsLimits:
     voxel: float = 0.3  # m: what is farther apart does not hang together
     reach: float = 5.5  # m from the axis; what goes on beyond is no part of a post
     hanging: float = 1.0  # m above the ground; below it stand cars, hedges and people
-    skin: float = 0.12  # m that a stem's points lie outside its radius
-    frame: float = 0.03  # m outside a stem's radius from which points are a board's
+    skin: tuple[float, float] = (0.03, 0.2)  # m, and of its diameter, that a stem's points lie outside its radius
     sectors: int = 8  # of directions, and those of them that a crown fills
     filled: int = 5
     crown: float = 0.45  # m from the axis, where crowns begin and arms are thin
@@ -30,17 +26,14 @@ class HangingPartsLimits:
     wall: float = 1.0  # m from the axis: what hangs on a post so far out, at its own heights, is a wall
     straight: float = 0.15  # spread of a wall across, of that along
     wall_top: float = 4.0  # m above the ground; arms hang higher
-    thick: float = 0.03  # m, of a board (standard deviation) with what its frame adds
-    upright: float = 0.35  # vertical part of a board's unit normal, at most
-    board: tuple[float, float] = (0.25, 3.0)  # m, sides of a board
-    wide: float = 0.15  # m that a board reaches beyond the stem's surface
-    board_points: int = 12
-    beside_post: float = 0.08  # m between an edge of a board and the face of its post, where the post may hide the rest
-    off_post: float = 0.06  # m to either side of a post's face, where points may be its own
-    emptier: float = 0.15  # points on one side of the post, of those on the other, of a board that shows by one half
-    shade: float = 0.12  # m from its face, that a post reaches behind a board
+    cell: float = 0.15  # m: side of the columns and the slabs of height that tell heads and boards from arms
+    tall: float = 0.28  # m, of a column that is more than an arm
+    few: int = 6  # points of a thing, and
+    share: float = 0.1  # of all off the stem
+    edges: float = 2.0  # % of its points left out at either end of a side
+    turn: float = 3.0  # degrees from one direction of its sides to the next that is tried
     arm: float = 0.4  # m, shortest arm
-    flat: float = 0.9  # m, height over which an arm's points spread, with its head
+    end: float = 0.9  # m, of an arm's end, longer than lamps are
 
 
 LIMITS = HangingPartsLimits()
@@ -54,28 +47,18 @@ class HangingParts:
     ----------
     top : highest point of all that hangs together, m above the ground.
     crown : diameter of a crown, m; 0 without one.
-    board : or None.
-    arm : length of an arm, m; 0 without one.
-    arm_azimuth, arm_height : degrees, and m above the ground; NaN without an arm.
-    head : m, width across and height of the thing at the arm's end.
+    things : heads, boards and ends of arms.
     wall : points of what hangs on it at its own heights like a wall, and whether it is as straight as one.
-    overhead : whether the board hangs over the road, on a beam or a long arm.
     """
 
     top: float
-    crown: float
-    board: Board | None
-    arm: float
-    arm_azimuth: float
-    arm_height: float
-    head: tuple[float, float]
+    crown: float = 0.0
+    things: tuple[HangingThing, ...] = ()
     wall: int = 0
     straight: bool = False
-    overhead: bool = False
 
 
-def hanging_parts(place: np.ndarray, height: np.ndarray, axis: StemAxis, stem_top: float,
-                 seen_from: np.ndarray) -> HangingParts:
+def hanging_parts(place: np.ndarray, height: np.ndarray, axis: StemAxis, stem_top: float) -> HangingParts:
     """What hangs on a stem.
 
     Parameters
@@ -83,28 +66,26 @@ def hanging_parts(place: np.ndarray, height: np.ndarray, axis: StemAxis, stem_to
     place : (n, 3) points within `reach` of the axis, m.
     height : (n,) above the ground, m.
     stem_top : m above the ground, up to which the stem is thin.
-    seen_from : (2,) where the survey passed, m: boards are told from this side.
     """
     offset = place[:, :2] - axis.plan_at(place[:, 2])
     away = np.hypot(*offset.T)
-    hanging = _hanging(offset, height, away)
-    offset, away, up, place = offset[hanging], away[hanging], height[hanging], place[hanging]
+    rows = np.flatnonzero(_hanging(offset, height, away))
+    offset, away, up = offset[rows], away[rows], height[rows]
     if not len(up):
-        return HangingParts(stem_top, 0.0, None, 0.0, np.nan, np.nan, (0.0, 0.0))
+        return HangingParts(stem_top)
     top = float(max(stem_top, np.percentile(up, 99.5)))
     crown = _crown(offset, away, up)
     if crown:
-        return HangingParts(top, crown, None, 0.0, np.nan, np.nan, (0.0, 0.0))
-    beside = away > axis.diameter / 2.0 + LIMITS.skin
+        return HangingParts(top, crown)
     wall = (away > LIMITS.wall) & (up < min(stem_top, LIMITS.wall_top))
-    aside = away > axis.diameter / 2.0 + LIMITS.frame
-    board = _board(place[aside], away[aside] - axis.diameter / 2.0, up[aside], axis, seen_from)
-    # What hangs at the post's own heights like a wall goes on above them, and is no board there.
-    over = None if wall.any() else _overhead_board(place, offset, up, axis, seen_from)
-    if over is not None:
-        return HangingParts(top, 0.0, over, 0.0, np.nan, np.nan, (0.0, 0.0), overhead=True)
-    return HangingParts(top, 0.0, board, *_arm(offset[beside], away[beside], up[beside]),
-                        int(np.count_nonzero(wall)), _straight(offset[wall]))
+    off = np.flatnonzero(away > off_stem(axis))
+    things = _things(offset[off], up[off], rows[off]) if len(off) else ()
+    return HangingParts(top, 0.0, things, int(np.count_nonzero(wall)), _straight(offset[wall]))
+
+
+def off_stem(axis: StemAxis) -> float:
+    """m from an axis, from which points are none of its stem's."""
+    return axis.diameter / 2.0 + LIMITS.skin[0] + LIMITS.skin[1] * axis.diameter
 
 
 def _hanging(offset: np.ndarray, height: np.ndarray, away: np.ndarray) -> np.ndarray:
@@ -112,15 +93,20 @@ def _hanging(offset: np.ndarray, height: np.ndarray, away: np.ndarray) -> np.nda
     near = (away < LIMITS.reach) & (height > LIMITS.hanging)
     if not near.any():
         return near
-    cells = np.floor(np.column_stack([offset[near], height[near]]) / LIMITS.voxel).astype(np.int64)
-    low = cells.min(axis=0)
-    full = np.zeros(cells.max(axis=0) - low + 1, bool)
-    full[tuple((cells - low).T)] = True
-    part = ndimage.label(full, np.ones((3, 3, 3), bool))[0][tuple((cells - low).T)]
+    part = linked_parts(np.column_stack([offset[near], height[near]]), LIMITS.voxel)
     at_stem = part[away[near] < LIMITS.voxel]
     mine = near.copy()
     mine[near] = np.isin(part, np.unique(at_stem))
     return mine
+
+
+def linked_parts(place: np.ndarray, cell: float) -> np.ndarray:
+    """Number (n,), from 1, of the part of points (n, 3) that hangs together in cells of a side, m."""
+    cells = np.floor(place / cell).astype(np.int64)
+    cells -= cells.min(axis=0)
+    full = np.zeros(cells.max(axis=0) + 1, bool)
+    full[tuple(cells.T)] = True
+    return ndimage.label(full, np.ones((3, 3, 3), bool))[0][tuple(cells.T)]
 
 
 def _straight(offset: np.ndarray) -> bool:
@@ -148,121 +134,58 @@ def _crown(offset: np.ndarray, away: np.ndarray, up: np.ndarray) -> float:
     return float(2.0 * np.percentile(away[leaves], 90.0))
 
 
-def _board(place: np.ndarray, beyond: np.ndarray, up: np.ndarray, axis: StemAxis,
-           seen_from: np.ndarray) -> Board | None:
-    """The largest flat upright face at the stem; None without one. `beyond` (n,) m from the stem's surface."""
-    near = np.flatnonzero(beyond < LIMITS.board[1])
-    if len(near) < LIMITS.board_points:
-        return None
-    wide = _wide_slabs(beyond[near], up[near])
-    near = near[wide]
-    if len(near) < LIMITS.board_points:
-        return None
-    middle = np.median(place[near], axis=0)
-    for _ in range(4):
-        centred = place[near] - middle
-        spread, axes = np.linalg.eigh(centred.T @ centred / len(near))
-        normal = axes[:, 0]
-        distance = np.abs(centred @ normal)
-        keep = distance < max(2.5 * float(np.median(distance)), LIMITS.thick)
-        if keep.all() or np.count_nonzero(keep) < LIMITS.board_points:
-            break
-        near = near[keep]
-        middle = place[near].mean(axis=0)
-    if np.sqrt(max(spread[0], 0.0)) > LIMITS.thick or abs(normal[2]) > LIMITS.upright:
-        return None
-    return outlined_board(place[near], normal, axis, seen_from)
+def _things(offset: np.ndarray, up: np.ndarray, rows: np.ndarray) -> tuple[HangingThing, ...]:
+    """Boxes round what is taller than an arm, and round the ends of arms that hold none of these.
+
+    Parameters
+    ----------
+    offset, up : (n, 2) from the axis, and (n,) above the ground, of the points off the stem, m.
+    rows : (n,) their numbers.
+    """
+    tall = _in_tall_columns(offset, up)
+    place = np.column_stack([offset, up])
+    things = [box_round(place[part], rows[part]) for part in _groups(place, np.flatnonzero(tall))]
+    for part in _groups(place, np.flatnonzero(~tall)):
+        away = np.hypot(*offset[part].T)
+        tip = float(np.percentile(away, 100.0 - LIMITS.edges))
+        end = part[away > tip - LIMITS.end]
+        held = any(np.linalg.norm(thing.middle - place[part], axis=1).min() < LIMITS.voxel + max(thing.sides) / 2.0
+                   for thing in things if thing.away > LIMITS.arm)
+        if tip > LIMITS.arm and not held and len(end) >= LIMITS.few:
+            things.append(box_round(place[end], rows[end]))
+    return tuple(thing for thing in things if len(thing.rows) > LIMITS.share * len(rows))
 
 
-def _overhead_board(place: np.ndarray, offset: np.ndarray, up: np.ndarray, axis: StemAxis,
-                    seen_from: np.ndarray) -> Board | None:
-    """The board on a beam over the road; None without one."""
-    face = overhead_face(offset, up)
-    if face is None:
-        return None
-    board = outlined_board(place[face[0]], face[1], None, seen_from)
-    return board if board is not None and board.width * board.height > OVERHEAD.area else None
+def _in_tall_columns(offset: np.ndarray, up: np.ndarray) -> np.ndarray:
+    """Mask (n,) of points in columns of points without a gap that are taller than an arm."""
+    column = np.unique(np.floor(offset / LIMITS.cell).astype(np.int64), axis=0, return_inverse=True)[1].ravel()
+    order = np.lexsort((up, column))
+    starts = (np.diff(column[order], prepend=-1) != 0) | (np.diff(up[order], prepend=-np.inf) > 2.0 * LIMITS.cell)
+    run = np.cumsum(starts) - 1
+    first = np.flatnonzero(starts)
+    last = np.append(first[1:], len(order)) - 1
+    tall = np.zeros(len(up), bool)
+    tall[order] = (up[order][last] - up[order][first] > LIMITS.tall)[run]
+    return tall
 
 
-def _wide_slabs(beyond: np.ndarray, up: np.ndarray) -> np.ndarray:
-    """Mask (n,) of points at heights where something reaches beside the stem."""
-    slab = np.floor(up / LIMITS.voxel).astype(np.int64)
-    slab -= slab.min()
-    farthest = np.zeros(slab.max() + 1)
-    np.maximum.at(farthest, slab, beyond)
-    return farthest[slab] > LIMITS.wide
+def _groups(place: np.ndarray, some: np.ndarray) -> list[np.ndarray]:
+    """Those of some rows (m,) of points (n, 3) that hang together, of each thing."""
+    if not len(some):
+        return []
+    part = linked_parts(place[some], LIMITS.voxel)
+    return [some[part == number] for number in np.flatnonzero(np.bincount(part) >= LIMITS.few)]
 
 
-def outlined_board(place: np.ndarray, normal: np.ndarray, axis: StemAxis | None, seen_from: np.ndarray) -> Board | None:
-    """The board in which points of a plane lie; None where they make none. `axis` of its post, None without one."""
-    level = np.array([normal[0], normal[1]]) / np.hypot(*normal[:2])
-    middle = place.mean(axis=0)
-    if level @ (seen_from - middle[:2]) < 0:
-        level = -level
-    across = (place[:, :2] - middle[:2]) @ np.array([-level[1], level[0]])
-    up = place[:, 2] - middle[2]
-    side = np.array([-level[1], level[0]])
-    post = None if axis is None else axis.plan_at(middle[2])
-    at_post = 0.0 if post is None else (post - middle[:2]) @ side
-    # The post's own points go on under a board, and tell none of its edges.
-    aside = up if axis is None else up[np.abs(across - at_post) > axis.diameter / 2.0 + LIMITS.off_post]
-    low, high = np.percentile(aside if len(aside) >= LIMITS.board_points else up, [1, 99])
-    # What ends at its post on one side and reaches far out on the other is often hidden by the post from behind.
-    for rows in [np.arange(len(across))] if axis is None else _by_halves(across - at_post, axis.diameter / 2.0):
-        left, right = np.percentile(across[rows], [1, 99])
-        if axis is not None:
-            left, right = min(left, at_post), max(right, at_post)
-        one_sided = axis is not None and (
-            min(abs(left - at_post), abs(right - at_post)) < axis.diameter / 2.0 + LIMITS.beside_post)
-        shaded = one_sided and _shaded(left - at_post, right - at_post, side, level, seen_from - post)
-        if shaded:
-            break
-    hull = shapely.convex_hull(shapely.multipoints(np.column_stack([across, up])[rows]))
-    if hull.area < 0.5 * (right - left) * (high - low):
-        return None
-    if shaded:
-        reach = max(abs(left - at_post), abs(right - at_post))
-        left, right = at_post - reach, at_post + reach
-    width, tall = right - left, high - low
-    if not all(LIMITS.board[0] <= size <= LIMITS.board[1] for size in (width, tall)):
-        return None
-    centre = middle + np.array([*(side * (left + right) / 2.0), (low + high) / 2.0])
-    return Board(centre, float(np.degrees(np.arctan2(level[0], level[1])) % 360.0), float(width), float(tall),
-                 not one_sided)
-
-
-def _by_halves(across: np.ndarray, radius: float) -> list[np.ndarray]:
-    """Rows of the points of a board: first without the side of its post on which few are beside many on the other, as
-    where the post hid that half from one drive; then all. `across` (n,) from the axis, `radius` of the post, m."""
-    post = radius + LIMITS.off_post
-    left, right = across < -post, across > post
-    few, many = sorted([left, right], key=np.count_nonzero)
-    every = np.arange(len(across))
-    return [np.flatnonzero(~few), every] if np.count_nonzero(few) < LIMITS.emptier * np.count_nonzero(many) else [every]
-
-
-def _shaded(left: float, right: float, side: np.ndarray, level: np.ndarray, view: np.ndarray) -> bool:
-    """Whether the post hides the other half of a board that shows from `left` to `right` of it, m: the survey looked
-    along the face (`side`, `level` (2,): along and across it) from the half that shows; `view` (2,) to the survey."""
-    reach = right if abs(right) > abs(left) else left
-    along, off = float(view @ side), float(abs(view @ level))
-    return along * reach > 0.0 and off * abs(reach) < LIMITS.shade * abs(along)
-
-
-def _arm(offset: np.ndarray, away: np.ndarray, up: np.ndarray) -> tuple[float, float, float, tuple[float, float]]:
-    """Length, azimuth, height of an arm, and the size of what is at its end."""
-    none = 0.0, np.nan, np.nan, (0.0, 0.0)
-    if len(away) < 4:
-        return none
-    length = float(np.percentile(away, 98.0))
-    if length < LIMITS.arm:
-        return none
-    out = away > 0.5 * length
-    direction = offset[out].mean(axis=0)
-    if np.hypot(*direction) < 0.7 * away[out].mean() or np.ptp(np.percentile(up[out], [5, 95])) > LIMITS.flat:
-        return none  # on several sides, or no arm but a wall
-    direction /= np.hypot(*direction)
-    head = away > length - 1.0
-    beside = (offset @ np.array([-direction[1], direction[0]]))[head]
-    width, tall = (float(np.ptp(np.percentile(values, [2, 98]))) for values in (beside, up[head]))
-    return length, float(np.degrees(np.arctan2(*direction)) % 360.0), float(np.median(up[out])), (width, tall)
+def box_round(place: np.ndarray, rows: np.ndarray) -> HangingThing:
+    """The smallest upright box round points (n, 3) in plan from an axis and above the ground, m."""
+    turn = np.radians(np.arange(0.0, 90.0, LIMITS.turn))
+    ways = np.stack([np.column_stack([np.sin(turn), np.cos(turn)]), np.column_stack([np.cos(turn), -np.sin(turn)])], 1)
+    low, high = np.percentile(ways @ place[:, :2].T, [LIMITS.edges, 100.0 - LIMITS.edges], axis=2)
+    best = int(np.argmin((high - low).prod(axis=1)))
+    bottom, top = np.percentile(place[:, 2], [LIMITS.edges, 100.0 - LIMITS.edges])
+    middle = np.array([*((low[best] + high[best]) / 2.0) @ ways[best], (bottom + top) / 2.0])
+    thin, long = np.argsort(high[best] - low[best])
+    longer, shorter = (high[best] - low[best])[[long, thin]]
+    aside = abs(float(middle[:2] @ ways[best, thin]))
+    return HangingThing(rows, middle, (float(longer), float(shorter), float(top - bottom)), aside)

@@ -9,7 +9,7 @@ from scipy import ndimage
 from scipy.spatial import cKDTree
 
 from ...geometry.tolerances import LEAST_DIVISOR
-from .hanging_parts import outlined_board
+from .boards import outlined_board
 from .object_records import Board, StemAxis
 from .sweep_index import SweepIndex
 

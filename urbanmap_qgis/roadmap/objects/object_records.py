@@ -26,14 +26,12 @@ class Stem:
     rows : (n,) of its tile's points.
     low, high : m above the ground between which it is thin.
     filled : share of the slabs between them in which it shows.
-    beside : whether a thicker stem stands so close to it that both passed for one.
     """
 
     rows: np.ndarray
     low: float
     high: float
     filled: float
-    beside: bool = False
 
 
 @dataclass(frozen=True)
@@ -56,6 +54,34 @@ class StemAxis:
     def plan_at(self, height: np.ndarray | float) -> np.ndarray:
         """Places (..., 2) of the axis at heights z, m."""
         return self.middle[:2] + (np.asarray(height)[..., None] - self.middle[2]) * self.lean
+
+
+@dataclass(frozen=True)
+class HangingThing:
+    """A box round something that hangs on a post.
+
+    Attributes
+    ----------
+    rows : (n,) of the points asked about.
+    middle : (3,) in plan from the post's axis, and above the ground, m.
+    sides : longer and shorter side in plan, and height, m.
+    aside : m from the axis to the upright plane through its middle along its longer side.
+    """
+
+    rows: np.ndarray
+    middle: np.ndarray
+    sides: tuple[float, float, float]
+    aside: float
+
+    @property
+    def low(self) -> float:
+        """Height of its lower edge above the ground, m."""
+        return float(self.middle[2] - self.sides[2] / 2.0)
+
+    @property
+    def away(self) -> float:
+        """m in plan from the axis to its middle."""
+        return float(np.hypot(*self.middle[:2]))
 
 
 @dataclass(frozen=True)
@@ -98,6 +124,7 @@ class StreetObject:
     points, passes : laser points of the stem, and passes of the survey that saw it.
     status : `MEASURED` or `DOUBTFUL`.
     reason : why.
+    second : kind that is next likely; "" without one.
     """
 
     kind: str
@@ -116,3 +143,4 @@ class StreetObject:
     status: str
     reason: str
     head_height: float | None = None
+    second: str = ""

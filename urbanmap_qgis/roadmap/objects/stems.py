@@ -5,11 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import ndimage
 from scipy.spatial import cKDTree
 
 from ...geometry.linked_groups import linked_groups
-from .close_stems import close_stems
+from .hanging_parts import linked_parts
 from .object_records import Stem
 
 
@@ -47,7 +46,8 @@ def find_stems(points: np.ndarray, height: np.ndarray, widest: float, where: np.
         return []
     plan = np.column_stack([points["x"][band], points["y"][band]])
     slab = ((height[band] - LIMITS.lowest) / LIMITS.slab).astype(np.int64)
-    part = _parts_of_slabs(plan, slab)
+    # Slabs two cells apart do not hang together.
+    part = linked_parts(np.column_stack([plan, (2.0 * slab + 0.5) * LIMITS.cell]), LIMITS.cell)
     order = np.argsort(part, kind="stable")
     starts = np.flatnonzero(np.diff(part[order], prepend=-1))
     count = np.diff(np.append(starts, len(order)))
@@ -64,8 +64,7 @@ def find_stems(points: np.ndarray, height: np.ndarray, widest: float, where: np.
             continue
         rows = rows[level[rows] <= levels[-1]]
         members = np.concatenate([band[order[starts[k]:starts[k] + count[k]]] for k in thin[rows]])
-        stem = Stem(members, float(height[members].min()), float(height[members].max()), float(filled))
-        stems += close_stems(stem, np.column_stack([points["x"][members], points["y"][members], height[members]]))
+        stems.append(Stem(members, float(height[members].min()), float(height[members].max()), float(filled)))
     return stems
 
 
@@ -77,17 +76,6 @@ def _filled_levels(levels: np.ndarray) -> tuple[np.ndarray, float]:
     share = np.arange(1, len(levels) + 1) / (levels - levels[0] + 1)
     last = int(np.flatnonzero(share >= LIMITS.filled)[-1])
     return levels[:last + 1], float(share[last])
-
-
-def _parts_of_slabs(plan: np.ndarray, slab: np.ndarray) -> np.ndarray:
-    """Number (n,) of the connected part of its slab to which each point belongs."""
-    cells = np.column_stack([np.floor(plan / LIMITS.cell).astype(np.int64), slab])
-    cells[:, :2] -= cells[:, :2].min(axis=0)
-    full = np.zeros(cells.max(axis=0) + 1, bool)
-    full[tuple(cells.T)] = True
-    beside = np.zeros((3, 3, 3), bool)
-    beside[:, :, 1] = True
-    return ndimage.label(full, beside)[0][tuple(cells.T)]
 
 
 def _chains(middle: np.ndarray, level: np.ndarray) -> np.ndarray:

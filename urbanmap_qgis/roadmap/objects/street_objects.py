@@ -18,10 +18,10 @@ from ..edges.edge_points import EdgePoints, EdgeTile, Reach
 from ..edges.ground_profile import Heights, above_ground
 from .axis_fit import fit_axis
 from .hanging_parts import LIMITS as AROUND
-from .hanging_parts import HangingParts, hanging_parts
-from .lone_boards import board_on, lone_boards, stands_alone, well_shaped
+from .hanging_parts import off_stem
+from .lone_boards import lone_boards, stands_alone
 from .low_objects import ends_as, low_objects
-from .object_kind import kind_of
+from .object_kind import Hung, hung_on
 from .object_records import DOUBTFUL, MEASURED, OBJECT_POINT, POLE, SIGN, TREE, Board, Stem, StemAxis, StreetObject
 from .stems import LIMITS as STEM_LIMITS
 from .stems import find_stems
@@ -48,14 +48,11 @@ class StreetObjectLimits:
     frame: float = 0.05  # m over and under a board, where its points pass for its post's
     bare: float = 0.6  # m of height that a post shows without its board, to be placed by that alone
     stem_reach: float = 1.5  # m in plan from the foot of a stem, within which all of it stands
-    trunk: float = 0.2  # m, from which a stem in leaves is a trunk, not the post of a sign that stands by
-    close: float = 1.0  # m from a post, where a trunk hides its board
-    bark: float = 0.06  # m outside a trunk's radius, that its points lie in
     behind: float = 0.04  # m behind a board that hides its post, where that stands: half of what such posts measure
     post_in_width: float = 4.0  # of a board, over which its post is one standard deviation from its middle
     beside: float = 0.3  # m; what is low and stands closer to something tall is a part of that
     same: float = 0.5  # m; stems closer than this, over each other, are one thing
-    apart: float = 0.1  # m, the same where a gap was seen between them
+    second: float = 0.05  # likelihood from which a second kind is named
 
 
 LIMITS = StreetObjectLimits()
@@ -118,66 +115,39 @@ def _objects_of_tile(tile: EdgeTile, height: np.ndarray, survey: EdgePoints,
     boards = lone_boards(place, height, index, survey.body(points["time"]), where)
     low = low_objects(points, place, height, index, survey, where, settings.survey_sigma)
     found: list[StreetObject] = []
-    beside_thicker: list[bool] = []
-    stems = find_stems(points, height, settings.max_diameter, where)
-    axes = [fit_axis(place[stem.rows], survey.body(points["time"][stem.rows])) for stem in stems]
-    trunks = [axis for axis in axes if LIMITS.trunk < axis.diameter < settings.max_diameter]
-    for stem, axis in zip(stems, axes):
+    for stem in find_stems(points, height, settings.max_diameter, where):
+        seen_from = survey.body(points["time"][stem.rows])
+        axis = fit_axis(place[stem.rows], seen_from)
         ground = float(np.median(place[stem.rows, 2] - height[stem.rows]))
         foot = axis.plan_at(ground)
         if not tile.owns(foot[None])[0] or not survey.within(foot[None])[0] or axis.diameter > settings.max_diameter:
             continue
         near = index.near(foot, AROUND.reach + 0.5)
-        if axis.diameter < LIMITS.trunk:
-            near = near[~_in_trunks(place[near], trunks, foot)]
-        seen_from = survey.body(points["time"][stem.rows]).mean(axis=0)
-        around = _with_board(hanging_parts(place[near], height[near], axis, stem.high, seen_from), boards, axis,
-                             stem.beside)
-        beside = _beside_board(place[stem.rows], around.board, bool(around.crown))
-        if beside is not None:
-            axis = fit_axis(place[stem.rows[beside]], survey.body(points["time"][stem.rows[beside]]))
+        hung = hung_on(place[near], height[near], axis, stem, seen_from, boards)
+        bare = _beside_board(place[stem.rows], hung[3])
+        if bare is not None:
+            axis = fit_axis(place[stem.rows[bare]], seen_from[bare])
             foot = axis.plan_at(ground)
-            around = _with_board(hanging_parts(place[near], height[near], axis, stem.high, seen_from), boards, axis,
-                             stem.beside)
-        short = stem.high - stem.low < LIMITS.post and not around.crown and not _under_board(stem, around, axis, ground)
+            hung = hung_on(place[near], height[near], axis, stem, seen_from, boards)
+        around = hung[0]
+        short = stem.high - stem.low < LIMITS.post and not around.crown and not _under_board(stem, hung[3], ground)
         wall = around.straight and around.wall > LIMITS.wall * len(stem.rows)
         if short or wall or max(around.top, stem.high) < settings.min_height or (
-                around.crown and around.board is None and any(ends_as(thing, stem, foot) for thing in low)):
+                around.crown and any(ends_as(thing, stem, foot) for thing in low)):
             continue
-        beside_thicker.append(stem.beside)
         crowd = _crowd(place[near], height[near], stem, axis)
-        found.append(_object(stem, axis, np.array([*foot, ground]), around, crowd,
+        found.append(_object(stem, axis, np.array([*foot, ground]), hung, crowd,
                              len(np.unique(points["drive"][stem.rows])), survey.corner, settings))
-    found = _without_doubles(found, beside_thicker)
-    signs = [_sign_without_post(board, place, height, survey.corner, settings) for board in boards
-             if tile.owns(board.centre[None, :2])[0] and survey.within(board.centre[None, :2])[0]
-             and all(np.linalg.norm(thing.board.centre - survey.corner - board.centre) > LIMITS.same
-                     for thing in found if thing.board is not None)
-             and stands_alone(place, height, board)]
-    found += signs
+    found = _without_doubles(found)
+    found += [_sign_without_post(board, place, height, survey.corner, settings) for board in boards
+              if tile.owns(board.centre[None, :2])[0] and survey.within(board.centre[None, :2])[0]
+              and all(np.linalg.norm(thing.board.centre - survey.corner - board.centre) > LIMITS.same
+                      for thing in found if thing.board is not None)
+              and stands_alone(place, height, board)]
     return found + [replace(thing, foot=thing.foot + survey.corner) for thing in low
                     if tile.owns(thing.foot[None, :2])[0] and survey.within(thing.foot[None, :2])[0]
                     and all(np.hypot(*(thing.foot + survey.corner - other.foot)[:2]) > LIMITS.beside
                             for other in found)]
-
-
-def _in_trunks(place: np.ndarray, trunks: list[StemAxis], foot: np.ndarray) -> np.ndarray:
-    """Mask (n,) of places (n, 3) in trunks close to the foot (2,) of a post: they would pass for its board."""
-    inside = np.zeros(len(place), bool)
-    for axis in trunks:
-        if np.hypot(*(axis.middle[:2] - foot)) < LIMITS.close:
-            inside |= np.hypot(*(place[:, :2] - axis.plan_at(place[:, 2])).T) < axis.diameter / 2.0 + LIMITS.bark
-    return inside
-
-
-def _with_board(around: HangingParts, boards: list[Board], axis: StemAxis, beside: bool) -> HangingParts:
-    """What hangs on a stem, with the board found before it where its own points show none, as in leaves. A trunk has
-    none; where one stands `beside` it, a face that is shaped like a trunk is that one's."""
-    if around.crown and axis.diameter > LIMITS.trunk:
-        return around
-    if beside and around.board is not None and not well_shaped(around.board):
-        around = replace(around, board=None)
-    return around if around.board is not None else replace(around, board=board_on(boards, axis))
 
 
 def _sign_without_post(board: Board, place: np.ndarray, height: np.ndarray, corner: np.ndarray,
@@ -206,57 +176,53 @@ def _may_stand(place: np.ndarray, tile: EdgeTile, survey: EdgePoints) -> np.ndar
     return inside
 
 
-def _under_board(stem: Stem, around: HangingParts, axis: StemAxis, ground: float) -> bool:
-    """Whether a stem shows bare under a sign's board: a rail or a parked car may hide the rest of so short a post."""
-    kind, _, board = kind_of(around, axis.diameter)
-    if kind != SIGN or board is None or len(stem.rows) < LIMITS.few:
-        return False
-    return bool(board.centre[2] - board.height / 2.0 - ground - stem.low > LIMITS.bare)
+def _under_board(stem: Stem, board: Board | None, ground: float) -> bool:
+    """Whether a stem shows bare under a board: a rail or a parked car may hide the rest of so short a post."""
+    return bool(board is not None and len(stem.rows) >= LIMITS.few
+                and board.centre[2] - board.height / 2.0 - ground - stem.low > LIMITS.bare)
 
 
-def _beside_board(place: np.ndarray, board: Board | None, in_crown: bool) -> np.ndarray | None:
+def _beside_board(place: np.ndarray, board: Board | None) -> np.ndarray | None:
     """Rows of a stem's points (n, 3) over and under its board, whose points beside a thin post pass for the post's;
-    None where there is no board, or too little of the post without it. In a crown only those under it."""
+    None where there is no board, or too little of the post without it."""
     if board is None:
         return None
-    over = place[:, 2] - board.centre[2]
-    rows = np.flatnonzero((-over if in_crown else np.abs(over)) > board.height / 2.0 + LIMITS.frame)
+    rows = np.flatnonzero(np.abs(place[:, 2] - board.centre[2]) > board.height / 2.0 + LIMITS.frame)
     return rows if len(rows) >= LIMITS.few and np.ptp(place[rows, 2]) > LIMITS.bare else None
 
 
 def _crowd(place: np.ndarray, height: np.ndarray, stem: Stem, axis: StemAxis) -> float:
     """Points close beside a stem at its own heights, for each of its own."""
     away = np.hypot(*(place[:, :2] - axis.plan_at(place[:, 2])).T)
-    beside = (away > axis.diameter / 2.0 + AROUND.skin) & (away < axis.diameter / 2.0 + LIMITS.crowded)
+    beside = (away > off_stem(axis)) & (away < axis.diameter / 2.0 + LIMITS.crowded)
     level = (height > stem.low) & (height < stem.high)
     return float(np.count_nonzero(beside & level) / len(stem.rows))
 
 
-def _object(stem: Stem, axis: StemAxis, foot: np.ndarray, around: HangingParts, crowd: float, passes: int,
+def _object(stem: Stem, axis: StemAxis, foot: np.ndarray, hung: Hung, crowd: float, passes: int,
             corner: np.ndarray, settings: ObjectSettings) -> StreetObject:
-    in_crown = around.crown > 0.0
-    if stem.beside and in_crown and around.board is None and axis.diameter < LIMITS.trunk:
-        around = replace(around, top=stem.high, crown=0.0)  # The crown is that of the trunk beside it.
-    kind, confidence, board = kind_of(around, axis.diameter)
+    around, kinds, thing, board = hung
+    kind, *others = sorted(kinds, key=lambda kind: -kinds[kind])
+    second = others[0] if others and kinds[others[0]] > LIMITS.second else ""
     lever = LIMITS.lean * (axis.middle[2] - foot[2])
     sigma = float(np.linalg.norm([np.sqrt(np.mean(axis.sigma**2)), lever, settings.survey_sigma]))
     reason = _doubt(stem, kind, crowd, around.wall)
-    if stem.beside and kind == POLE and in_crown:
-        reason = say("it stands in the crown of a tree")
-    if kind == SIGN and board is not None and around.crown:
-        # What hangs together with it there is the tree.
-        reason = say("it stands in the crown of a tree")
-        around = replace(around, top=board.centre[2] + board.height / 2.0 - foot[2], crown=0.0)
     if not reason and board is not None and not board.whole:
         reason = say("half of its board may be hidden")
-    azimuth = board.azimuth if board else around.arm_azimuth if around.arm else None
+    top, crown = around.top, around.crown or None
+    if board is not None and around.crown:
+        # What hangs together with it there is the tree.
+        reason = say("it stands in the crown of a tree")
+        top, crown = float(board.centre[2] + board.height / 2.0 - foot[2]), None
+    arm = thing is not None and kind != SIGN and thing.away > AROUND.arm
+    towards = float(np.degrees(np.arctan2(*thing.middle[:2])) % 360.0) if arm else None
     return StreetObject(
-        kind, confidence if not reason else 0.5 * confidence, foot + corner, around.top, axis.diameter,
-        float(np.degrees(np.arctan(np.hypot(*axis.lean)))), azimuth, around.crown or None,
-        (around.arm, around.arm_height) if around.arm else None,
+        kind, kinds[kind], foot + corner, top, axis.diameter,
+        float(np.degrees(np.arctan(np.hypot(*axis.lean)))), board.azimuth if board else towards, crown,
+        (thing.away, float(thing.middle[2])) if arm else None,
         None if board is None else replace(board, centre=board.centre + corner),
         sigma, len(stem.rows), passes, DOUBTFUL if reason else MEASURED, reason,
-        around.head[1] if around.arm else None)
+        thing.sides[2] if arm else None, second)
 
 
 def _doubt(stem: Stem, kind: str, crowd: float, wall: int) -> str:
@@ -274,13 +240,10 @@ def _doubt(stem: Stem, kind: str, crowd: float, wall: int) -> str:
     return ""
 
 
-def _without_doubles(found: list[StreetObject], beside: list[bool]) -> list[StreetObject]:
-    """One object for stems that stand over each other: the one with the most points. `beside` : of each, whether a gap
-    was seen to a thicker stem."""
-    order = sorted(range(len(found)), key=lambda k: -found[k].points)
+def _without_doubles(found: list[StreetObject]) -> list[StreetObject]:
+    """One object for stems that stand over each other: the one with the most points."""
     single: list[int] = []
-    for k in order:
-        if all(np.hypot(*(found[k].foot - found[other].foot)[:2])
-               > (LIMITS.apart if beside[k] or beside[other] else LIMITS.same) for other in single):
+    for k in sorted(range(len(found)), key=lambda k: -found[k].points):
+        if all(np.hypot(*(found[k].foot - found[other].foot)[:2]) > LIMITS.same for other in single):
             single.append(k)
     return [found[k] for k in sorted(single)]

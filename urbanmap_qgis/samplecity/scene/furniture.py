@@ -27,32 +27,33 @@ def make_trees(ground: Ground, size: float, rng: np.random.Generator) -> tuple[T
                 across = street.at + side * (street.half_width + 0.8)
                 radius, radius_z = rng.uniform(1.4, 2.4), rng.uniform(1.6, 2.8)
                 height, keep = rng.uniform(2.4, 3.4), rng.random() < 0.8
-                if not keep or not _clear(ground, street, along, 12.0):
+                if not keep or not is_clear(ground, street, along, 12.0):
                     continue
-                x, y = _world_place(ground, street, along, across)
+                x, y = world_place(ground, street, along, across)
                 z = float(ground.height(x, y))
                 trees.append(Tree(x, y, z + height + radius_z, float(radius), float(radius_z), z, 0.25))
     return tuple(trees)
 
 
-def make_furniture(ground: Ground, size: float, scene: str, trees: tuple[Tree, ...],
-                   rng: np.random.Generator) -> tuple[Furniture, ...]:
-    """Trunks, lamp posts, signals at the crossings of the main streets, guard rails, cabinets; the elevated road."""
+def make_furniture(ground: Ground, size: float, scene: str, trees: tuple[Tree, ...], rng: np.random.Generator,
+                   posts: bool = True) -> tuple[Furniture, ...]:
+    """Trunks, guard rails, cabinets, the elevated road; with `posts` lamp posts and signals at the main crossing."""
     things = [Furniture(_square(t.x, t.y, t.trunk), t.z_ground - 0.1, t.z - 0.3 * t.radius_z, Material.WOOD)
               for t in trees]
     for name in ("A", "B"):
         street = next(s for s in ground.streets if s.name == name)
         for side in (1, -1):
             for along in np.arange(-size / 2 + 10.0, size / 2 - 8.0, 27.0):
-                if _clear(ground, street, along, 8.0):
+                if posts and is_clear(ground, street, along, 8.0):
                     things.append(_post(ground, street, along, side, 8.5))
             for start in np.arange(-size / 2 + 6.0, size / 2 - 10.0, 15.0):
-                if _clear(ground, street, start, 12.0) and _clear(ground, street, start + 6.0, 12.0):
+                if is_clear(ground, street, start, 12.0) and is_clear(ground, street, start + 6.0, 12.0):
                     things.append(_rail(ground, street, start, start + 6.0, side))
             along = float(rng.uniform(20.0, size / 2))
-            if _clear(ground, street, along):
+            if is_clear(ground, street, along):
                 things.append(_cabinet(ground, street, along, side))
-    things += _signals(ground)
+    if posts:
+        things += _signals(ground)
     if scene == "elevated road":
         things += _elevated_road(ground, size)
     return tuple(things)
@@ -68,7 +69,7 @@ def make_parked(ground: Ground, size: float, rng: np.random.Generator) -> tuple[
             for side in (1, -1):
                 for along in np.arange(-size / 2 + 3.0, size / 2 - 3.0, 7.0):
                     chance, jitter = rng.random(), rng.uniform(-0.5, 0.5)
-                    if chance > 0.22 or not _clear(ground, street, along):
+                    if chance > 0.22 or not is_clear(ground, street, along):
                         continue
                     across = street.at + side * (street.half_width - 1.1)
                     turned = side < 0 if street.along == "u" else side > 0
@@ -111,19 +112,19 @@ def _vehicle(lane: Lane, place: float, speed: float, epochs: tuple[str, ...], rn
 def _parked(ground: Ground, street: Street, along: float, across: float, turned: bool, epochs: tuple[str, ...],
             rng: np.random.Generator) -> Vehicle:
     """A vehicle that stands along the street, facing back along it if `turned`."""
-    ends = [_world_place(ground, street, along + step, across) for step in (-0.5, 0.5)]
+    ends = [world_place(ground, street, along + step, across) for step in (-0.5, 0.5)]
     start, end = reversed(ends) if turned else ends
     return _vehicle(Lane(street.name, start, end, 2.0), 0.5, 0.0, epochs, rng, cars_only=True)
 
 
-def _world_place(ground: Ground, street: Street, along: float, across: float) -> tuple[float, float]:
+def world_place(ground: Ground, street: Street, along: float, across: float) -> tuple[float, float]:
     """x, y of a place given along and across (v, or u for a street along v) a street."""
     u, v = (along, across) if street.along == "u" else (across, along)
     x, y = ground.to_world(u, v)
     return float(x), float(y)
 
 
-def _clear(ground: Ground, street: Street, along: float, distance: float = CROSSING_CLEAR) -> bool:
+def is_clear(ground: Ground, street: Street, along: float, distance: float = CROSSING_CLEAR) -> bool:
     """Whether no crossing street is near the place along the street."""
     return all(abs(along - other.at) > other.half_width + distance
                for other in ground.streets if other.along != street.along)
@@ -183,7 +184,7 @@ def rails_and_decks(ground: Ground, size: float) -> tuple[Furniture, ...]:
     things = []
     for street in (s for s in ground.streets if s.name in ("A", "B")):
         for start in np.arange(-size / 2, size / 2 - 10.0, 10.0):
-            if not (_clear(ground, street, start, 10.0) and _clear(ground, street, start + 10.0, 10.0)):
+            if not (is_clear(ground, street, start, 10.0) and is_clear(ground, street, start + 10.0, 10.0)):
                 continue
             things += [_rail(ground, street, start, start + 10.0, side) for side in (1, -1)]
             across = street.at + street.half_width
@@ -206,7 +207,7 @@ def _elevated_road(ground: Ground, size: float) -> list[Furniture]:
     things += [Furniture(_plan(ground, avenue, (-half_extent, half_extent), (side * half - 0.15, side * half + 0.15)),
                          z + 0.8, z + 2.6, **bridge) for side in (1, -1)]
     for along in np.arange(-size / 2 + 6.0, size / 2, 24.0):
-        if _clear(ground, avenue, along, 10.0):
+        if is_clear(ground, avenue, along, 10.0):
             for side in (1, -1):
                 across = side * (avenue.half_width + 0.6)
                 plan = _plan(ground, avenue, (along - 0.6, along + 0.6), (across - 0.5, across + 0.5))

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import numpy as np
 import shapely
 
+from .furniture import world_place
 from .ground import Ground, Street
 from .model import Furniture
 
@@ -48,12 +48,7 @@ def _board(ground: Ground, street: Street, side: int) -> Furniture:
 
 
 def _height(ground: Ground, street: Street, along: float, across: float) -> float:
-    return float(ground.height(*_world(ground, street, along, across)))
-
-
-def _world(ground: Ground, street: Street, along: float, across: float) -> tuple[np.ndarray, np.ndarray]:
-    place = (along, street.at + across)
-    return ground.to_world(*(place if street.along == "u" else place[::-1]))
+    return float(ground.height(*world_place(ground, street, along, street.at + across)))
 
 
 def _box(ground: Ground, street: Street, along: tuple[float, float], across: tuple[float, float], low: float,

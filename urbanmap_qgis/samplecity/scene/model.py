@@ -262,6 +262,8 @@ class Furniture:
     kind: FaceKind = FaceKind.FURNITURE
     slope: tuple[float, float] = field(default=(0.0, 0.0))
     """Rise of its top and bottom per metre of x and y, from the plan's centroid (the deck of a bridge)."""
+    standing: str = ""
+    """Of a post: the kind of street object that it carries, where that is known."""
 
 
 @dataclass(frozen=True)

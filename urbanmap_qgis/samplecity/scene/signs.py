@@ -6,6 +6,7 @@ import numpy as np
 import shapely
 from shapely import affinity
 
+from .furniture import is_clear, world_place
 from .ground import Ground, Street
 from .model import Furniture
 
@@ -29,23 +30,16 @@ def signs_and_bollards(ground: Ground, size: float, rng: np.random.Generator) ->
         for side in (1, -1):
             for start in np.arange(-size / 2 + 4.0, size / 2 - 4.0, SPACING):
                 along = float(start + rng.uniform(-1.0, 1.0))
-                if not _clear(ground, street, along):
+                if not is_clear(ground, street, along, CLEAR):
                     continue
                 things += _sign(ground, street, along, side, rng)
-                things += [_box(ground, street, along + 4.0 + step * BOLLARDS, side, BOLLARD)
-                           for step in range(3) if _clear(ground, street, along + 4.0 + step * BOLLARDS)]
+                things += [_box(ground, street, along + 4.0 + step * BOLLARDS, side, BOLLARD) for step in range(3)
+                           if is_clear(ground, street, along + 4.0 + step * BOLLARDS, CLEAR)]
     return tuple(things)
 
 
-def _clear(ground: Ground, street: Street, along: float) -> bool:
-    return all(abs(along - other.at) > other.half_width + CLEAR
-               for other in ground.streets if other.along != street.along)
-
-
 def _place(ground: Ground, street: Street, along: float, side: int) -> tuple[float, float]:
-    across = street.at + side * (street.half_width + BEHIND)
-    x, y = ground.to_world(*((along, across) if street.along == "u" else (across, along)))
-    return float(x), float(y)
+    return world_place(ground, street, along, street.at + side * (street.half_width + BEHIND))
 
 
 def _box(ground: Ground, street: Street, along: float, side: int, measures: tuple[float, float]) -> Furniture:

@@ -40,6 +40,7 @@ from .model import (
 )
 from .paint import Paint
 from .signs import signs_and_bollards
+from .standard_furniture import DESIGNS, standard_furniture
 from .streets import lowered_kerbs, make_ground, make_lanes, median_islands
 
 CRS = "EPSG:6677"
@@ -186,7 +187,10 @@ def make_scene(size: float = 200.0, scene: str = "canyon", seed: int | np.random
     markings = make_markings(ground, size, scene, painted)
     if "islands" in faults:
         markings = beside_islands(markings, ground)
-    furniture = make_furniture(ground, size, scene, trees, furnished)
+    countries = [name for name in faults if name in DESIGNS]
+    furniture = make_furniture(ground, size, scene, trees, furnished, not countries)
+    for country in countries[:1]:
+        furniture += standard_furniture(ground, size, country, trees, fault_rng(country, sequence))
     if "paint" in faults:
         markings = worn_and_patched(markings, fault_rng("paint", sequence))
     if "rails" in faults:
