@@ -6,8 +6,8 @@ import itertools
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-from pyproj import CRS, Transformer
-from pyproj.exceptions import CRSError, ProjError
+from pyproj import Transformer
+from pyproj.exceptions import ProjError
 
 from ..aerial.frames.camera import read_camera
 from ..aerial.frames.exterior_files import read_exterior
@@ -15,7 +15,7 @@ from ..errors import InputError, UrbanMapError
 from ..geometry.earth import METRES_A_DEGREE
 from ..io.reference.height_systems import refuse_other_heights
 from ..io.reference.system_names import local_name
-from ..io.reference.system_parts import plan_part, same_horizontal
+from ..io.reference.system_parts import is_geographic, parsed_crs, plan_part, same_horizontal
 from ..mobile.gps_time import shift_between
 from ..wording import say
 from .file_facts import (
@@ -49,7 +49,7 @@ def _systems(facts: Sequence[FileFacts]) -> Iterator[str]:
     """Projected systems that differ."""
     groups: list[list[FileFacts]] = []
     for item in facts:
-        if not item.crs_wkt or _crs(item.crs_wkt).is_geographic:
+        if not item.crs_wkt or is_geographic(item.crs_wkt):
             continue
         home = next((group for group in groups if same_horizontal(group[0].crs_wkt, item.crs_wkt)), None)
         groups.append([item]) if home is None else home.append(item)
@@ -64,19 +64,9 @@ def system_name(wkt: str) -> str:
     """A system's code and name in short, "" for none."""
     if not wkt:
         return ""
-    crs = _crs(wkt)
-    plan = plan_part(crs)
+    plan = plan_part(parsed_crs(wkt))
     code, name = plan.to_epsg(min_confidence=70), local_name(plan.name)
     return f"EPSG:{code} {name}" if code else name
-
-
-def is_geographic(wkt: str) -> bool:
-    """Whether a system (WKT) counts in degrees; none does not."""
-    return bool(wkt) and _crs(wkt).is_geographic
-
-
-def _crs(wkt: str) -> CRS:
-    return CRS.from_wkt(wkt)
 
 
 def _some(facts: Sequence[FileFacts]) -> str:
@@ -107,14 +97,13 @@ def extent_in_degrees(item: FileFacts, assumed: str = "") -> Extent | None:
         return None
     x_min, y_min, x_max, y_max = item.extent
     try:
-        crs = _crs(wkt)
-        if crs.is_geographic:
+        plan = plan_part(parsed_crs(wkt))
+        if plan.is_geographic:
             return item.extent if abs(y_max) <= 90.0 and abs(x_max) <= 360.0 else None
-        plan = plan_part(crs)
         x = np.array([x_min, x_min, x_max, x_max])
         y = np.array([y_min, y_max, y_min, y_max])
         east, north = Transformer.from_crs(plan, plan.geodetic_crs, always_xy=True).transform(x, y)
-    except (CRSError, ProjError):
+    except ProjError:
         return None
     if not np.isfinite([east, north]).all():
         return None
@@ -136,7 +125,7 @@ def clouds_met(item: FileFacts, clouds: Sequence[FileFacts], assumed: str = "") 
 
 def common_system(facts: Sequence[FileFacts]) -> str:
     """The projected system (WKT) that most files state, taken for those that state none; "" where none does."""
-    stated = [item.crs_wkt for item in facts if item.usable and item.crs_wkt and not _crs(item.crs_wkt).is_geographic]
+    stated = [item.crs_wkt for item in facts if item.usable and item.crs_wkt and not is_geographic(item.crs_wkt)]
     clouds = [item.crs_wkt for item in facts if item.usable and item.kind == POINTS and item.crs_wkt]
     return max(clouds or stated, key=(clouds or stated).count, default="")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..wording import known, mark
+from ..wording import known, mark, say
 
 POINTS, TEXT_POINTS, SCANS = "points", "text_points", "scans"
 FRAME, LINE_IMAGE, FRAME_MASK = "frame", "line_image", "frame_mask"
@@ -91,6 +91,11 @@ class FileFacts:
     def label(self) -> str:
         """Its name without folders, for messages."""
         return f"{self.path.name} ({self.layer})" if self.layer else self.path.name
+
+
+def without_system(name: str, wkt: str) -> tuple[str, ...]:
+    """A sentence on a file that states no system, none for others: `notes` of its facts."""
+    return () if wkt else (say("{name} states no coordinate reference system: say it where it is used.", name=name),)
 
 
 def kind_name(kind: str) -> str:

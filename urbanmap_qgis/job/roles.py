@@ -6,8 +6,9 @@ import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+from ..io.reference.system_parts import is_geographic
 from ..wording import known, mark, say
-from .agreement import clouds_met, common_system, is_geographic, times_overlap
+from .agreement import clouds_met, common_system, times_overlap
 from .file_facts import (
     AREAS,
     BUILDING_MODELS,

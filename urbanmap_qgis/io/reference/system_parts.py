@@ -88,6 +88,12 @@ def vertical_part(wkt: str) -> CRS | None:
     return next((part for part in _parts(parsed_crs(wkt)) if part.is_vertical), None) if wkt and wkt.strip() else None
 
 
+def is_geographic(wkt: str) -> bool:
+    """Whether a system (WKT) counts in degrees; none does not."""
+    part = horizontal_part(wkt)
+    return part is not None and part.is_geographic
+
+
 def own_code(crs: CRS) -> int | None:
     """EPSG code that a system states of itself; None where it states none."""
     stated = crs.to_json_dict().get("id") or {}

@@ -9,14 +9,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from pyproj import CRS, Proj
-from pyproj.exceptions import CRSError, ProjError
+from pyproj import Proj
+from pyproj.exceptions import ProjError
 
 from ...errors import InputError
 from ...progress import notice
 from ...wording import say
 from .plane_rectangular import ZONE_NAMES, zone_epsg, zone_numbers
-from .system_parts import plan_part
+from .system_parts import parsed_crs, plan_part
 
 REFUSED, TOLD = 0.01, 5e-4
 """Differences of the scale from 1: none within the zone of a survey's projection, and that of a UTM zone's rim."""
@@ -29,13 +29,13 @@ def point_scale(wkt: str, x: float, y: float) -> tuple[float, float, float] | No
     """Lengths in a projected system for one on the ground at a place, mean of all directions, with its longitude and
     latitude, degrees; None where the system is not projected or does not know the place."""
     try:
-        plan = plan_part(CRS.from_wkt(wkt))
+        plan = plan_part(parsed_crs(wkt))
         if not plan.is_projected:
             return None
         projection = Proj(plan)
         longitude, latitude = projection(x, y, inverse=True, errcheck=True)
         factors = projection.get_factors(longitude, latitude, errcheck=True)
-    except (CRSError, ProjError):
+    except (InputError, ProjError):
         return None
     scale = float(np.sqrt(factors.areal_scale))
     return (scale, float(longitude), float(latitude)) if np.isfinite([scale, longitude, latitude]).all() else None
@@ -66,10 +66,10 @@ def require_true_lengths(name: str, wkt: str | None, bounds: Sequence[float]) ->
         raise InputError(say("{name}: in {crs} lengths at this place are {scale:.3f} times those on the ground; "
                              "reproject to a system whose metres are metres, such as {zone}. If the data lie "
                              "elsewhere, they are in another system than they say.", name=name, crs=plan_part(
-                                 CRS.from_wkt(wkt)).name, scale=scale, zone=metric_zone(longitude, latitude)))
+                                 parsed_crs(wkt)).name, scale=scale, zone=metric_zone(longitude, latitude)))
     if abs(scale - 1.0) > TOLD:
         notice(say("{name}: in {crs} lengths at this place are {scale:.5f} times those on the ground; so are "
-                   "the lengths of the results.", name=name, crs=plan_part(CRS.from_wkt(wkt)).name,
+                   "the lengths of the results.", name=name, crs=plan_part(parsed_crs(wkt)).name,
                    scale=scale))
 
 

@@ -9,7 +9,7 @@ from ...io.points.pointcloud import PointCloud, open_cloud
 from ...io.reference.height_systems import heights_of
 from ...mobile.gps_time import ADJUSTMENT, WEEK, sampled_span
 from ...wording import say
-from ..file_facts import POINTS, SCANS, FileFacts
+from ..file_facts import POINTS, SCANS, FileFacts, without_system
 
 
 def cloud_facts(path: Path, _head: bytes) -> list[FileFacts]:
@@ -25,13 +25,11 @@ def cloud_facts(path: Path, _head: bytes) -> list[FileFacts]:
         return [FileFacts(path, POINTS, crs_wkt=crs, count=0, problem=say(
             "{files} holds no points: choose another point cloud.", files=path.name))]
     raw = {"angle", "range"} <= {name.lower() for name in header.point_format.extra_dimension_names}
-    notes = [] if crs else [say("{name} states no coordinate reference system: say it where it is used.",
-                                name=path.name)]
     detail = say("format {format}, {density:.1f} points/m²", format=header.point_format.id, density=_density(cloud))
     extent = (*map(float, cloud.minimum[:2]), *map(float, cloud.maximum[:2]))
     return [FileFacts(path, SCANS if raw else POINTS, detail=detail, crs_wkt=crs,
                       heights=heights_of(crs).word, extent=extent, times=_times(cloud), count=cloud.point_count,
-                      notes=tuple(notes))]
+                      notes=without_system(path.name, crs))]
 
 
 def _density(cloud: PointCloud) -> float:

@@ -8,19 +8,16 @@ from pathlib import Path
 
 import numpy as np
 import shapely
-from pyproj import CRS
-from pyproj.exceptions import CRSError
 
 from ...aerial.frames.camera import read_camera
 from ...geometry.earth import WGS84
 from ...io.conversion.reprojection import epsg_wkt
 from ...io.files.guard import read_json
-from ...io.reference.height_systems import heights_of
 from ...mobile.calibration import read_calibration
 from ...wording import say
 from ..file_facts import CALIBRATION, CAMERA, CITY_MODEL, JOB, OTHER, FileFacts
 from .layer_kind import LayerSample
-from .vector_facts import SAMPLE, layer_facts
+from .vector_facts import SAMPLE, layer_facts, named_system
 
 JOB_MARK = "urbanmap_job"
 """Key that tells a job file."""
@@ -69,7 +66,7 @@ def _content(path: Path) -> object:
 
 def _cityjson(path: Path, content: Mapping) -> FileFacts:
     metadata = content.get("metadata") or {}
-    crs = _system(str(metadata.get("referenceSystem", "")))
+    crs, heights = named_system(str(metadata.get("referenceSystem", "")), path)
     box = metadata.get("geographicalExtent")
     extent = None
     if isinstance(box, list) and len(box) == 6:
@@ -80,12 +77,12 @@ def _cityjson(path: Path, content: Mapping) -> FileFacts:
         (x_min, y_min), (x_max, y_max) = places[:, :2].min(axis=0), places[:, :2].max(axis=0)
         extent = (float(x_min), float(y_min), float(x_max), float(y_max))
     return FileFacts(path, CITY_MODEL, detail=f"CityJSON {content.get('version', '')}".strip(), crs_wkt=crs,
-                     heights=heights_of(crs).word, extent=extent, count=len(content.get("CityObjects") or ()) or None)
+                     heights=heights, extent=extent, count=len(content.get("CityObjects") or ()) or None)
 
 
 def _geojson(path: Path, content: Mapping) -> FileFacts:
     named = ((content.get("crs") or {}).get("properties") or {}).get("name", "")
-    crs = _system(str(named)) if named else epsg_wkt(WGS84)
+    crs = named_system(str(named), path)[0] if named else epsg_wkt(WGS84)
     features = content.get("features") or []
     shapes = [shapely.geometry.shape(item["geometry"]) for item in features[:SAMPLE] if item.get("geometry")]
     everything = np.array([shapely.geometry.shape(item["geometry"]) for item in features if item.get("geometry")],
@@ -95,14 +92,3 @@ def _geojson(path: Path, content: Mapping) -> FileFacts:
     sample = LayerSample((path.stem,), fields, shapes[0].geom_type if shapes else "", shapes)
     return layer_facts(path, "", sample, crs, tuple(map(float, box)) if np.isfinite(box).all() else None,
                        len(features))
-
-
-def _system(text: str) -> str:
-    """WKT of a system named by a code, an address or an URN; "" where it is not known."""
-    words = text.replace("/", ":").rstrip(":").split(":")
-    try:
-        if "CRS84" in words:
-            return epsg_wkt(WGS84)
-        return epsg_wkt(int(words[-1])) if words[-1].isdigit() else CRS.from_user_input(text).to_wkt()
-    except (CRSError, ValueError):
-        return ""

@@ -25,6 +25,7 @@ from ..file_facts import (
     RASTER,
     TEXTURE,
     FileFacts,
+    without_system,
 )
 
 _MAGIC = (b"II*\0", b"MM\0*", b"II+\0", b"MM\0+", b"\xff\xd8\xff", b"\x89PNG\r\n", b"\0\0\0\x0cjP  ")
@@ -73,11 +74,9 @@ def _facts(path: Path, source: rasterio.DatasetReader, sample: np.ndarray) -> Fi
     size = say("{width} x {height} pixels", width=source.width, height=source.height)
     cell = abs(source.transform.a)
     detail = f"{size}, {cell:.3g} m" if placed and source.crs and source.crs.is_projected else size
-    notes = [say("{name} states no coordinate reference system: say it where it is used.", name=path.name)] \
-        if placed and not crs else []
     return FileFacts(path, kind, detail=detail, crs_wkt=crs, heights=heights_of(crs).word,
                      extent=tuple(map(float, source.bounds)) if placed else None, doubt=doubt,
-                     count=source.width * source.height, notes=tuple(notes))
+                     count=source.width * source.height, notes=without_system(path.name, crs) if placed else ())
 
 
 def _kind(path: Path, source: rasterio.DatasetReader, sample: np.ndarray, placed: bool) -> tuple[str, str]:

@@ -11,16 +11,16 @@ from urllib.parse import quote
 
 import numpy as np
 import shapely
-from pyproj import CRS
-from pyproj.exceptions import CRSError
 
+from ...citymodel.named_reference import named_reference
 from ...errors import InputError, InsufficientDataError
 from ...io.conversion.reprojection import epsg_wkt
 from ...io.files.guard import read_text
 from ...io.reference.height_systems import heights_of
 from ...io.reference.renamed_crs import known_wkt
+from ...io.reference.system_parts import is_geographic, parsed_crs
 from ...wording import say
-from ..file_facts import TABLE, FileFacts
+from ..file_facts import TABLE, UNKNOWN_HEIGHTS, FileFacts, without_system
 from .layer_kind import LayerSample, kind_of_layer
 
 SAMPLE = 200
@@ -87,21 +87,19 @@ def _crs_of(base: sqlite3.Connection, srs: int) -> str:
 
 def layer_facts(path: Path, layer: str, sample: LayerSample, crs: str, extent, count: int) -> FileFacts:
     """Facts of a vector layer; `extent` in its own system or None."""
-    degrees = is_degrees(crs)
-    kind, doubt = kind_of_layer(sample, degrees)
-    notes = [] if crs else [say("{name} states no coordinate reference system: say it where it is used.",
-                                name=path.name)]
+    kind, doubt = kind_of_layer(sample, is_geographic(crs))
     problem = "" if count else say("{name} holds no feature: choose another file.", name=layer or path.name)
     return FileFacts(path, kind, layer=layer, crs_wkt=crs, heights=heights_of(crs).word, extent=extent, count=count,
-                     detail=sample.type_name, doubt=doubt, notes=tuple(notes), problem=problem)
+                     detail=sample.type_name, doubt=doubt, notes=without_system(path.name, crs), problem=problem)
 
 
-def is_degrees(crs: str) -> bool:
-    """Whether a system (WKT) counts in degrees."""
+def named_system(name: str, path: Path) -> tuple[str, str]:
+    """WKT in plan and heights, in a word, of a system that a file names; "" and "unknown" where it is not known."""
     try:
-        return bool(crs) and CRS.from_wkt(crs).is_geographic
-    except CRSError:
-        return False
+        reference = named_reference(name, path.name).reference
+    except InputError:  # the reader of such files says so
+        return "", UNKNOWN_HEIGHTS
+    return reference.wkt, reference.heights
 
 
 def _bounds(shapes: Sequence[shapely.Geometry]) -> tuple[float, float, float, float] | None:
@@ -147,8 +145,8 @@ def shapefile_facts(path: Path, head: bytes) -> list[FileFacts]:
 
 def _prj_wkt(path: Path) -> str:
     try:
-        return known_wkt(CRS.from_user_input(read_text(path, "a reference system (.prj)").strip()).to_wkt())
-    except CRSError:
+        return parsed_crs(read_text(path, "a reference system (.prj)").strip()).to_wkt()
+    except InputError:
         return ""
 
 

@@ -10,16 +10,16 @@ from pathlib import Path
 from ...errors import InputError
 from ...io.conversion.reprojection import epsg_wkt
 from ...io.osm import read_osm
-from ...io.reference.height_systems import heights_of
 from ...wording import say
 from ..file_facts import CITY_MODEL, GSI_DEM, GSI_OTHER, GSI_OUTLINES, LANE_MAP, OTHER, FileFacts
 from .kml_facts import LARGEST_READ, kml_facts, kmz_facts, whole_kml
+from .vector_facts import named_system
 
 _ROOT = re.compile(rb"<(?![?!])([\w.-]+:)?([\w.-]+)[\s/>]")
 _SYSTEMS = {b"jgd2000.bl": 4612, b"jgd2011.bl": 6668, b"jgd2024.bl": 6668}
 _HEIGHTS = {b"jgd2000.bl": "JGD2000", b"jgd2011.bl": "JGD2011", b"jgd2024.bl": "JGD2024"}
 _CORNER = re.compile(rb"<(?:\w+:)?(lowerCorner|upperCorner)>\s*([^<]+)<")
-_SRS = re.compile(rb"srsName=[\"'][^\"']*?(\d{4,5})[\"']")
+_SRS = re.compile(rb"srsName=[\"']([^\"']+)[\"']")
 _PLACE = re.compile(rb"(?:<gml:pos>|<gml:posList>|^)\s*(\d+\.\d+) (\d+\.\d+)\s", re.MULTILINE)
 _TAIL = 4096
 _BLOCK = 1 << 20
@@ -97,10 +97,7 @@ def _gsi_kind(head: bytes) -> tuple[str, str]:
 
 def _citygml(path: Path, head: bytes) -> FileFacts:
     srs = _SRS.search(head)
-    try:
-        crs = epsg_wkt(int(srs.group(1))) if srs else ""
-    except InputError:  # a code that the database here does not know; the reader of city models says so
-        crs = ""
+    crs, heights = named_system(srs.group(1).decode("utf-8", "replace") if srs else "", path)
     corners = [[float(part) for part in text.split()[:2]] for _, text in _CORNER.findall(head)[:2]]
     extent = None
     if len(corners) == 2:
@@ -108,7 +105,7 @@ def _citygml(path: Path, head: bytes) -> FileFacts:
         extent = (west, south, east, north) if abs(north) <= 90.0 and abs(east) <= 180.0 else (south, west, north, east)
     buildings = sum(piece.count(b"<bldg:Building ") + piece.count(b"<bldg:Building>") for piece in _pieces(path))
     detail = "CityGML" if buildings else say("CityGML without buildings")
-    return FileFacts(path, CITY_MODEL, detail=detail, crs_wkt=crs, heights=heights_of(crs).word, extent=extent,
+    return FileFacts(path, CITY_MODEL, detail=detail, crs_wkt=crs, heights=heights, extent=extent,
                      count=buildings or None)
 
 
