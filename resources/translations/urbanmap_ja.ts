@@ -8400,6 +8400,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>κ が反対の方向から数えられていた</translation>
     </message>
     <message>
+        <source>kappa were counted from a quarter turn to the left</source>
+        <translation>κ が左へ 4 分の 1 回転した方向から数えられていた</translation>
+    </message>
+    <message>
+        <source>kappa were counted from a quarter turn to the right</source>
+        <translation>κ が右へ 4 分の 1 回転した方向から数えられていた</translation>
+    </message>
+    <message>
         <source>the angles were in gon</source>
         <translation>角度がグラード（gon）だった</translation>
     </message>
@@ -11352,6 +11360,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>用途不明</translation>
     </message>
     <message>
+        <source>{name} states no coordinate reference system: say it where it is used.</source>
+        <translation>{name}に座標参照系の記載がありません。使うところで指定してください。</translation>
+    </message>
+    <message>
         <source>The job has no step “{step}”; it has {known}.</source>
         <translation>作業に手順「{step}」はありません。あるのは{known}です。</translation>
     </message>
@@ -11446,10 +11458,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>format {format}, {density:.1f} points/m²</source>
         <translation>形式{format}、{density:.1f} 点/m²</translation>
-    </message>
-    <message>
-        <source>{name} states no coordinate reference system: say it where it is used.</source>
-        <translation>{name}に座標参照系の記載がありません。使うところで指定してください。</translation>
     </message>
     <message>
         <source>{name} says where it lies in numbers that are not finite: it is damaged; copy or download it again.</source>

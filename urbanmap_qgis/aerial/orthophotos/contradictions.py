@@ -83,6 +83,8 @@ HYPOTHESES: tuple[tuple[str, Callable[[ExteriorOrientation], ExteriorOrientation
     (mark("the images were turned by a quarter turn to the left"), _turned(90.0)),
     (mark("the images were turned by a quarter turn to the right"), _turned(-90.0)),
     (mark("kappa were counted from the opposite direction"), lambda pose: replace(pose, kappa=pose.kappa + 180.0)),
+    (mark("kappa were counted from a quarter turn to the left"), lambda pose: replace(pose, kappa=pose.kappa + 90.0)),
+    (mark("kappa were counted from a quarter turn to the right"), lambda pose: replace(pose, kappa=pose.kappa - 90.0)),
     (mark("the angles were in gon"), _gon),
     (mark("the angles were in radians"), _scaled(math.degrees(1.0))),
     (mark("the angles were in gon and the images turned by half a turn"), lambda pose: _turned(180.0)(_gon(pose))),
