@@ -46,6 +46,11 @@ fi
 numpy=$("$python" -c 'import numpy; print(numpy.__version__)')
 wanted=$({ cat requirements.txt requirements-dev.txt; echo "$numpy"; "$python" --version; } | cksum | tr ' ' '-')
 stamp=".venv/setup-$wanted"
+mkdir -p .venv
+if command -v flock >/dev/null 2>&1; then # runs that share the folder wait for the one that installs
+    exec 9>.venv/lock
+    flock 9
+fi
 if [ -e "$stamp" ]; then
     exit 0
 fi

@@ -116,8 +116,9 @@ copy_checkout() {
     if [ -d "$checkout/.git" ]; then cp -r "$checkout/.git" "$1/.git"; fi
 }
 
-# Home and temporary folder are new for every run; only downloads (pip's cache) stay in the root, and the cities that
-# tests read beside the checkout, for the next run: each system makes its own (tests/stored.py).
+# Home and temporary folder are new for every run. Downloads (pip's cache) stay in the root for the next one; beside it
+# the installed packages of .venv, one folder for each list of them; and beside the checkout the cities that tests read:
+# each system makes its own (tests/stored.py).
 run() {
     build
     copy_network_settings "$root"
@@ -132,6 +133,10 @@ run() {
     local shared=$checkout/../shared
     mkdir -p "$checkout/build/test_cities"
     mounts+=("$checkout/build/test_cities:/ci/checkout/build/test_cities")
+    local venv
+    venv=$cache/venv-$(cat "$checkout"/requirements*.txt "$stamp" | cksum | cut -d' ' -f1)
+    mkdir -p "$venv"
+    mounts+=("$venv:/ci/checkout/.venv")
     if [ -d "$shared" ]; then mounts+=("$(cd "$shared" && pwd):/ci/shared:ro"); fi
     local bundle=/etc/ssl/certs/ca-certificates.crt
     if [ -f "$bundle" ]; then mounts+=("$bundle:$bundle:ro"); fi

@@ -9,6 +9,8 @@ import pytest
 
 from scripts import budget
 
+pytestmark = pytest.mark.once
+
 SOURCE = textwrap.dedent('''
     """What is
     here."""

@@ -9,6 +9,8 @@ from scripts import ablate
 from scripts.ablate import VERDICTS, Row, absent, changes, figures_of, read_ledger
 from scripts.make_ledger_page import PAGE, ledger_page
 
+pytestmark = pytest.mark.once
+
 ROOT = Path(__file__).resolve().parents[2]
 LEDGER = read_ledger()
 

@@ -13,6 +13,8 @@ from urbanmap_qgis.facades.building_plans import building_plans
 from urbanmap_qgis.facades.wall_stage import find_walls
 from urbanmap_qgis.io.points.pointcloud import open_cloud
 
+pytestmark = pytest.mark.slow
+
 # Panes stand back in their frames by 8 cm: they are of the wall, but do not hold its line.
 FRONTS = [("plain", 2, set()), ("glass", 2, set()), ("sign band", 1, {"sign band"}), ("canopy", 2, {"canopy"}),
           ("hoarding", 2, {"hoarding"}), ("balconies", 2, {"balcony"}),

@@ -9,6 +9,8 @@ from urbanmap_qgis.mobile.markings.plain_threshold import PlainThreshold
 from urbanmap_qgis.mobile.registration.records import RegistrationSettings
 from urbanmap_qgis.terrain.cloth import JAVANMARDI
 
+pytestmark = pytest.mark.once
+
 
 def test_the_page_is_that_of_the_table_and_the_tests():
     assert PAGE.read_text(encoding="utf-8") == page(), "run scripts/make_paper_page.py"

@@ -6,6 +6,8 @@ import pytest
 
 from scripts.make_paper_page import ROOT, references
 
+pytestmark = pytest.mark.once
+
 WRONG = re.compile(r"E\. ?Javanmardi|Toward precision|(Javanmardi|Shibasaki),? \(?20\d\d|urban mapping \(20", re.I)
 IN_FULL = ("metadata.txt", "README.md", "README.ja.md", "docs/papers.md", "docs/paper_steps.md")
 FOLDERS = ("docs", "algorithms", "urbanmap_qgis", "scripts", "resources")

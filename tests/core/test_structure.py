@@ -12,6 +12,8 @@ import pytest
 
 from scripts import source_tree
 
+pytestmark = pytest.mark.once
+
 ROOT = Path(__file__).resolve().parents[2]
 CORE = source_tree.CORE
 BASE = {"errors", "progress", "execution", "dependencies", "sources", "wording", "settings"}
