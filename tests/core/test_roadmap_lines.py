@@ -353,6 +353,16 @@ def test_yellow_paint_is_no_arrow():
         assert [area.kind for area in work.areas if area.kind.startswith("arrow")] == found
 
 
+@pytest.mark.parametrize("colour", ["yellow", "white"])
+def test_a_wide_yellow_line_between_lines_of_the_road_is_no_guiding_strip_and_one_beside_them_is(colour):
+    """The image's blur makes a centre line of 0.2 m as wide as 0.27 m."""
+    edges = [shapely.box(-20, y - 0.1, 30, y + 0.1) for y in (-6.0, 6.0)]
+    centre, strip = (shapely.box(-20, y - width / 2, 30, y + width / 2) for y, width in ((0.0, 0.27), (9.0, 0.36)))
+    work = work_of([*edges, centre, strip], ["white", "white", colour, colour])
+    kinds = {round(back(line.points[:, :2])[:, 1].mean()): line.kind for line in work.lines}
+    assert kinds == {-6: "solid", 0: "solid", 6: "solid", 9: "guiding strip" if colour == "yellow" else "solid"}
+
+
 BROAD = {"straight": [(0.085, 0), (0.085, 3), (0.45, 3), (0, 5), (-0.45, 3), (-0.085, 3), (-0.085, 0)],
          "straight left": [(0.085, 0), (0.085, 3), (0.45, 3), (0, 5), (-0.45, 3), (-0.085, 3), (-0.085, 1.785),
                            (-0.455, 1.93), (-0.455, 2.44), (-1.15, 1.94), (-0.455, 0.94), (-0.455, 1.43), (-0.09, 1.24),

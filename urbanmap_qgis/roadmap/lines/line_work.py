@@ -28,6 +28,9 @@ from .worn_stop_lines import worn_stop_lines
 DOUBLE = (0.22, 0.65)
 """Distance of the two lines of a double line, m."""
 
+ROAD_HALF, PLACES = 10.0, 19
+"""Two of the widest lanes, m, within which a road has lines beside its middle; places of a line that are looked at."""
+
 
 @dataclass(frozen=True)
 class RoadLine:
@@ -262,9 +265,12 @@ def _short_lines(chains: Sequence[StrokeChain], lines: Sequence[_Line], of_stops
 def _sections_of(lines: Sequence[_Line], strokes, colours, settings: LineSettings) -> list[RoadLine]:
     """The lines cut into sections of one kind; a section of dashes reaches to the solid ones beside it."""
     pieces = []
-    for number, line in enumerate(lines):
-        colour = _colour(line.chain, strokes, colours)
-        guiding = colour == "yellow" and line.fit.width >= settings.guide_width
+    told = [_colour(line.chain, strokes, colours) for line in lines]
+    wide = [colour == "yellow" and line.fit.width >= settings.guide_width for line, colour in zip(lines, told)]
+    road = shapely.MultiLineString([line.fit.axis for line, strip in zip(lines, wide) if not strip])
+    for number, (line, colour) in enumerate(zip(lines, told)):
+        # The blur of an image makes a centre line as wide as a strip: that one runs beside a road, not in it.
+        guiding = wide[number] and not _within_road(line.fit.axis, road)
         sections = line.sections
         for k, section in enumerate(sections):
             start = sections[k - 1].end if k and section.kind == "dashed" else section.start
@@ -274,6 +280,20 @@ def _sections_of(lines: Sequence[_Line], strokes, colours, settings: LineSetting
             pieces.append(_piece(line, section, start, end, "guiding strip" if guiding else section.kind, colour,
                                  number, settings))
     return [line for line in pieces if line is not None]
+
+
+def _within_road(axis: np.ndarray, road: shapely.MultiLineString) -> bool:
+    """Whether most of a line (n, 2) has others of the road to both sides of it, m."""
+    plan = shapely.LineString(axis)
+    at = np.linspace(0.05, 0.95, PLACES)
+    ends = [shapely.get_coordinates(shapely.line_interpolate_point(plan, at + step, normalized=True))
+            for step in (-0.05, 0.0, 0.05)]
+    side = (ends[2] - ends[0])[:, ::-1] * [-1.0, 1.0]
+    side *= ROAD_HALF / np.maximum(np.linalg.norm(side, axis=1, keepdims=True), LEAST_DIVISOR)
+    both = np.ones(len(at), bool)
+    for way in (side, -side):
+        both &= shapely.intersects(shapely.linestrings(np.stack([ends[1], ends[1] + way], axis=1)), road)
+    return bool(both.mean() > 0.5)
 
 
 def _whole(line: _Line, strokes, colours, settings: LineSettings, number: int) -> RoadLine:
