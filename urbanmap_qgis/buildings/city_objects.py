@@ -58,15 +58,6 @@ class BuildingSource:
     remarks: Sequence[Sequence[Mapping[str, Any]]] = ()
 
 
-@dataclass(frozen=True, eq=False)
-class _Levels:
-    """One part at its levels of detail; empty where a level has no valid solid."""
-
-    detailed: Solid
-    block: tuple[Solid, ...]
-    stepped: tuple[Solid, ...]
-
-
 def city_objects(buildings: Sequence[BuildingSource], walls: bool = True) -> Iterator[tuple[CityObject, ModelFigures]]:
     """Objects with all levels of detail, and the figures, of buildings, one after another.
 
@@ -82,13 +73,12 @@ def city_objects(buildings: Sequence[BuildingSource], walls: bool = True) -> Ite
 
 def _city_object(building: BuildingSource, party_area: float) -> tuple[CityObject, ModelFigures]:
     problems = tuple(building.problems) or ("",) * len(building.solids)
-    levels = [_levels(solid, problem) for solid, problem in zip(building.solids, problems)]
     figures = model_figures(building.solids, building.lod.startswith("2"), party_area)
     attributes = {**building.attributes, **_figure_attributes(figures)}
-    textures = building.textures or [()] * len(levels)
-    remarks = building.remarks or [()] * len(levels)
-    parts = [_shapes(level, building.lod, problem, solid_surfaces(level.detailed, faces, said))
-             for level, problem, faces, said in zip(levels, problems, textures, remarks)]
+    textures = building.textures or [()] * len(problems)
+    remarks = building.remarks or [()] * len(problems)
+    parts = [_shapes(solid, building.lod, problem, solid_surfaces(solid, faces, said))
+             for solid, problem, faces, said in zip(building.solids, problems, textures, remarks)]
     found = tuple(dict.fromkeys(problem for problem in problems if problem))
     item = CityObject(building.id, attributes, _outlines(building.solids, figures), problems=found)
     return in_parts(item, parts), figures
@@ -101,19 +91,13 @@ def _figure_attributes(figures: ModelFigures) -> dict[str, Any]:
             if value is not None and value == value}
 
 
-def _levels(solid: Solid, problem: str) -> _Levels:
-    if problem:
-        return _Levels(solid, (), ())
-    return _Levels(solid, block_solid(solid), stepped_solids(solid))
-
-
-def _shapes(level: _Levels, lod: str, problem: str, detailed: tuple[CitySurface, ...]) -> tuple[CityShape, ...]:
+def _shapes(solid: Solid, lod: str, problem: str, detailed: tuple[CitySurface, ...]) -> tuple[CityShape, ...]:
     """Shapes of one part, from coarse to detailed."""
     if problem:
         return (CityShape(lod, MULTI_SURFACE, (detailed,)),)
-    shapes = [CityShape("1.2", SOLID, (solid_surfaces(one),)) for one in level.block]
+    shapes = [CityShape("1.2", SOLID, (solid_surfaces(one),)) for one in block_solid(solid)]
     if lod != "1.3":
-        shapes += [CityShape("1.3", SOLID, (solid_surfaces(one),)) for one in level.stepped]
+        shapes += [CityShape("1.3", SOLID, (solid_surfaces(one),)) for one in stepped_solids(solid)]
     return (*shapes, CityShape(lod, SOLID, (detailed,)))
 
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import chain
 
 import numpy as np
@@ -87,14 +86,6 @@ def _share_below(z: np.ndarray, heights: np.ndarray) -> np.ndarray:
     return np.where(height >= high, 1.0, np.where(height <= low, 0.0, np.where(height < middle, rising, falling)))
 
 
-@dataclass(frozen=True, eq=False)
-class RoofStep:
-    """Roofs that meet along edges in space: their plan, and the median of their height over it, m."""
-
-    plan: shapely.Geometry
-    height: float
-
-
 @Kept
 def block_height(solid: Solid) -> float:
     """Median height of the roofs of a solid over their plan, m."""
@@ -102,15 +93,15 @@ def block_height(solid: Solid) -> float:
 
 
 @Kept
-def roof_steps(solid: Solid) -> list[RoofStep]:
-    """The roofs of a solid between its steps."""
+def roof_steps(solid: Solid) -> list[tuple[shapely.Geometry, float]]:
+    """The roofs of a solid between its steps, which meet along edges in space: plan and median height over it, m."""
     faces = [face for face, kind in enumerate(solid.surface_type) if kind == ROOF]
     plans = shapely.force_2d(surfaces(solid)[faces])
     steps = []
     for rows in _joined_roofs(solid, faces):
         triangles = solid.vertices[[triangle for row in rows for triangle in _triangles_of_roofs(solid)[faces[row]]]]
         height = float(height_quantiles(triangles, [BLOCK_SHARE])[0])
-        steps.append(RoofStep(plans[rows[0]] if len(rows) == 1 else shapely.union_all(plans[rows]), height))
+        steps.append((plans[rows[0]] if len(rows) == 1 else shapely.union_all(plans[rows]), height))
     return steps
 
 
@@ -128,7 +119,7 @@ def stepped_solids(solid: Solid) -> tuple[Solid, ...]:
     if all(np.ptp(solid.vertices[list(face[0]), 2]) < MILLIMETRE for face, kind in zip(solid.faces, solid.surface_type)
            if kind == ROOF):
         return (solid,)
-    return _raised(solid, [(step.plan, number, step.height) for number, step in enumerate(roof_steps(solid))])
+    return _raised(solid, [(plan, number, height) for number, (plan, height) in enumerate(roof_steps(solid))])
 
 
 def _raised(solid: Solid, cells: list[tuple[shapely.Geometry, int, float]]) -> tuple[Solid, ...]:

@@ -80,7 +80,7 @@ def model_figures(solids: Sequence[Solid], sloped: bool = True, party_area: floa
     low, middle, upper, high = (height_quantiles(triangles, (0.0, 0.5, 0.7, 1.0)) - base).tolist()
     areas = _areas(solids)
     blocks = sum(_ground_area(solid) * (block_height(solid) - _base(solid)) for solid in solids)
-    steps = sum(step.plan.area * (step.height - _base(solid)) for solid in solids for step in roof_steps(solid))
+    steps = sum(plan.area * (height - _base(solid)) for solid in solids for plan, height in roof_steps(solid))
     return ModelFigures(
         base, low, middle, upper, high, blocks, steps, sum(map(volume, solids)) if sloped else np.nan,
         areas[GROUND], areas["flat"], areas["sloped"],
