@@ -65,10 +65,9 @@ class BuildingRow:
 
 @dataclass
 class TableNotes:
-    """Counts that the rows do not show: buildings without outline, with problems; values that stand for "unknown"."""
+    """Counts that the rows do not show: buildings, those with problems; values that stand for "unknown"."""
 
     buildings: int = 0
-    without_outline: int = 0
     with_problems: int = 0
     lods: dict[str, int] = field(default_factory=dict)
     unknown: Counter = field(default_factory=Counter)
@@ -79,7 +78,6 @@ def building_rows(buildings: Iterator[CityObject], places: Places, notes: TableN
     for building in buildings:
         notes.buildings += 1
         row = _row(placed(building, places), notes.unknown)
-        notes.without_outline += row.outline is None
         notes.with_problems += bool(row.values["note"])
         notes.lods[row.values["lod"]] = notes.lods.get(row.values["lod"], 0) + 1
         yield row

@@ -27,13 +27,11 @@ class Drift:
     ----------
     shift : (2,) east and north, m.
     rotation : radians, anticlockwise (the heading changes by the opposite).
-    residuals : (n, 2) m, what the set's pairs keep.
     covariance : (3, 3) of shift and rotation, m and radians.
     """
 
     shift: np.ndarray
     rotation: float
-    residuals: np.ndarray
     covariance: np.ndarray
 
 
@@ -76,8 +74,7 @@ def set_drift(place: np.ndarray, measured: np.ndarray, reference: np.ndarray, si
     spread = float((a * a).sum())
     rotation = float(np.arctan2((a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum(), (a * b).sum() + weight))
     shift = target - rotated_vectors(centre, rotation)
-    residuals = true - shift - rotated_vectors(seen, rotation)
-    return Drift(shift, rotation, residuals, _covariance(centre, rotation, len(seen), spread + weight, sigma))
+    return Drift(shift, rotation, _covariance(centre, rotation, len(seen), spread + weight, sigma))
 
 
 def _covariance(centre: np.ndarray, rotation: float, count: int, spread: float, sigma: float) -> np.ndarray:
