@@ -94,6 +94,15 @@ def test_filled_heights_lie_between_known_ones_and_say_so(built):
     assert "height filled" in {finding.kind for finding in built.findings}
 
 
+def test_a_stop_line_at_the_rim_of_the_heights_has_them_where_every_lane_has():
+    stop = roads.stop(60.3, 0.1, 6.9)
+    end = lower([stop], lambda points: np.arange(len(points)) == len(points) - 1)
+    made = build_vector_map([*roads.avenue(0, 60), *end], [], [roads.drive((-10, 5.2), (70, 5.2))])
+    assert made.stop_lines and not made.height_sigmas
+    elements, _ = lanelet_elements(made, WKT)
+    assert all("ele" in node.tags for node in elements.nodes.values())
+
+
 def test_map_without_any_height_says_so_and_has_none():
     flat = lower(roads.avenue(0, 60), lambda points: np.ones(len(points), bool))
     built = build_vector_map(flat, (), [roads.drive((-10, 5.2), (70, 5.2))])

@@ -28,8 +28,17 @@ def fill_heights(built: VectorMap) -> int:
     """
     places = np.array(built.nodes, float).reshape(-1, 3)
     unknown = ~np.isfinite(places[:, 2])
-    if not unknown.any() or unknown.all():
+    if unknown.all():
         return 0
+    if unknown.any():
+        _fill_nodes(built, places, unknown)
+    # Ends of stop lines and crosswalks may lie beyond a raster's rim where all nodes lie within it.
+    _fill_others(built, places)
+    return int(unknown.sum())
+
+
+def _fill_nodes(built: VectorMap, places: np.ndarray, unknown: np.ndarray) -> None:
+    """Put heights into the `unknown` (n,) rows of the nodes' places (n, 3), m."""
     graph = _graph(built, places)
     away = dijkstra(graph, directed=False, indices=np.flatnonzero(~unknown), min_only=True)
     lonely = unknown & ~np.isfinite(away)
@@ -42,8 +51,6 @@ def fill_heights(built: VectorMap) -> int:
     for number in np.flatnonzero(unknown):
         built.nodes[number] = places[number]
         built.height_sigmas[int(number)] = float(GRADE_CHANGE * away[number])
-    _fill_others(built, places)
-    return int(unknown.sum())
 
 
 def _graph(built: VectorMap, places: np.ndarray) -> coo_matrix:
@@ -88,6 +95,5 @@ def _fill_others(built: VectorMap, places: np.ndarray) -> None:
         return raised
 
     built.stop_lines = [filled(np.asarray(stop, float)) for stop in built.stop_lines]
-    for area in built.crosswalks:
-        ring = shapely.get_coordinates(area.polygon.exterior, include_z=True)
-        built.crosswalk_rings.append(filled(ring))
+    built.crosswalk_rings = [filled(shapely.get_coordinates(area.polygon.exterior, include_z=True))
+                             for area in built.crosswalks]
