@@ -24,20 +24,12 @@ POSE = ("x", "y", "z", "omega", "phi", "kappa")
 _SIX = len(POSE)
 _STEP = np.array([1e-3, 1e-3, 1e-3, 1e-5, 1e-5, 1e-5])  # m, degrees, of the derivatives
 
-
-@dataclass(frozen=True)
-class BundleLimits:
-    """Limits of the bundle, each with its unit."""
-
-    rounds: int = 20
-    enough: float = 0.01  # of a pixel, that the observations still move
-    gross: float = 3.0  # standard deviations from which an observation loses its weight
-    tie_sigma: float = 1e4  # m, of the place of a tie point
-    fewest: int = 2  # frames that see a tie point
-    wrong: float = 0.2  # weight below which a control point's observations contradict the others
-
-
-LIMITS = BundleLimits()
+ROUNDS = 20
+ENOUGH = 0.01  # of a pixel, that the observations still move
+GROSS = 3.0  # standard deviations from which an observation loses its weight
+TIE_SIGMA = 1e4  # m, of the place of a tie point
+FEWEST = 2  # frames that see a tie point
+WRONG = 0.2  # weight below which a control point's observations contradict the others
 
 
 @dataclass(frozen=True)
@@ -155,7 +147,7 @@ def _solved(problem: _Problem, scale: float, state: np.ndarray) -> _Solution:
     """
     settings = problem.settings
     prior = _prior(len(problem.poses), problem.points, settings, scale)
-    for _ in range(LIMITS.rounds):
+    for _ in range(ROUNDS):
         computed, jacobian = _linearised(problem, state)
         misfit = problem.points.pixel - computed
         noise, weight = _reweighted(misfit, problem.used, settings.pixel)
@@ -164,10 +156,10 @@ def _solved(problem: _Problem, scale: float, state: np.ndarray) -> _Solution:
         factors = splu(normal, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
         step = factors.solve(jacobian.T @ (scaled * misfit.ravel()) - prior * state)
         state = state + step
-        if np.abs((jacobian @ step).reshape(-1, 2)[problem.used]).max() < LIMITS.enough:
+        if np.abs((jacobian @ step).reshape(-1, 2)[problem.used]).max() < ENOUGH:
             break
     size = np.hypot(*misfit.T)[problem.used] / (noise * settings.pixel)
-    cost = float(np.sum(LIMITS.gross**2 * size**2 / (LIMITS.gross**2 + size**2)) + state @ (prior * state))
+    cost = float(np.sum(GROSS**2 * size**2 / (GROSS**2 + size**2)) + state @ (prior * state))
     volume = float(np.log(np.abs(factors.U.diagonal())).sum() - np.log(prior).sum())
     noisy = 4.0 * problem.used.sum() * np.log(noise)
     return _Solution(state, factors, weight, noise, -0.5 * (cost + volume + noisy), scale)
@@ -178,7 +170,7 @@ def contradicting(points: ImagePoints, adjusted: AdjustedFrames) -> np.ndarray:
     heard = np.isfinite(adjusted.weight)
     count = np.maximum(np.bincount(points.point, heard, len(points.points)), 1)
     mean = np.bincount(points.point, np.where(heard, adjusted.weight, 0.0), len(points.points)) / count
-    return points.control & (mean < LIMITS.wrong)
+    return points.control & (mean < WRONG)
 
 
 def _frames_of(camera: FrameCamera, poses: Sequence[ExteriorOrientation], points: ImagePoints) -> np.ndarray:
@@ -200,7 +192,7 @@ def _frames_of(camera: FrameCamera, poses: Sequence[ExteriorOrientation], points
 def _used(points: ImagePoints) -> np.ndarray:
     """(n,) bool, observations that say something: of control points, and of ties in several frames."""
     seen = np.bincount(points.point, minlength=len(points.points))
-    ties = ~points.known & (seen >= LIMITS.fewest)
+    ties = ~points.known & (seen >= FEWEST)
     return (points.control | ties)[points.point]
 
 
@@ -220,7 +212,7 @@ def _start(camera: FrameCamera, poses: Sequence[ExteriorOrientation], points: Im
     down = (float(np.nanmean(place[:, 2])) - centre[:, 2]) / ray[:, 2]
     alone = np.empty_like(place)
     alone[points.point] = centre + down[:, None] * ray
-    several = np.bincount(points.point, minlength=len(place)) >= LIMITS.fewest
+    several = np.bincount(points.point, minlength=len(place)) >= FEWEST
     found = np.where(several[:, None], meeting, alone)
     place[~points.known] = found[~points.known]
     return place
@@ -229,7 +221,7 @@ def _start(camera: FrameCamera, poses: Sequence[ExteriorOrientation], points: Im
 def _prior(frames: int, points: ImagePoints, settings: BundleSettings, scale: float) -> np.ndarray:
     """Weights of all unknowns: shared, frame by frame (`scale` times as large as stated), point by point."""
     stated = np.repeat([settings.position, settings.angle], 3)
-    place = np.where(points.control, settings.control, LIMITS.tie_sigma)
+    place = np.where(points.control, settings.control, TIE_SIGMA)
     return np.concatenate([settings.shared * stated, np.tile(scale * stated, frames), np.repeat(place, 3)]) ** -2.0
 
 
@@ -288,7 +280,7 @@ def _reweighted(misfit: np.ndarray, used: np.ndarray, pixel: float) -> tuple[flo
     """Noise, times that assumed, and weights (n,): what contradicts the rest loses its own."""
     size = np.hypot(*misfit.T) / pixel
     noise = max(1.0, float(np.median(size[used])) / 1.1774)  # the median of a Rayleigh distribution
-    return noise, used / (1.0 + (size / (noise * LIMITS.gross)) ** 2) ** 2
+    return noise, used / (1.0 + (size / (noise * GROSS)) ** 2) ** 2
 
 
 def _sigma(factors, frames: int, size: int) -> np.ndarray:

@@ -15,19 +15,11 @@ from ...progress import SILENT, Progress
 from ...wording import mark, say
 from .cloud_points import CloudPoints
 
-
-@dataclass(frozen=True)
-class CloudControlLimits:
-    """Limits of a cloud's shift, each with its unit."""
-
-    contradicting: float = 4.0  # standard deviations from the others
-    judged: int = 4  # points: fewer do not tell which of them is wrong
-    few: int = 3  # points
-    narrow: float = 0.3  # of the length of the cloud that the control points take in
-    trusted: float = 3.0  # sigmas of the shift: less is no shift that is shown
-
-
-LIMITS = CloudControlLimits()
+CONTRADICTING = 4.0  # standard deviations from the others
+JUDGED = 4  # points: fewer do not tell which of them is wrong
+FEW = 3  # points
+NARROW = 0.3  # of the length of the cloud that the control points take in
+TRUSTED = 3.0  # sigmas of the shift: less is no shift that is shown
 
 
 @dataclass(frozen=True)
@@ -114,13 +106,13 @@ def _contradicting(errors: np.ndarray, sigma: np.ndarray, control: np.ndarray) -
     wrong = np.zeros(len(errors), bool)
     for axis in range(3):
         rows = np.flatnonzero(control[:, axis])
-        if len(rows) < LIMITS.judged:
+        if len(rows) < JUDGED:
             continue
         for row in rows:
             others = errors[rows[rows != row], axis]
             middle = np.median(others)
             spread = max(SIGMA_OF_MAD * float(np.median(np.abs(others - middle))), float(sigma[row, axis]))
-            wrong[row] |= bool(abs(errors[row, axis] - middle) > LIMITS.contradicting * spread)
+            wrong[row] |= bool(abs(errors[row, axis] - middle) > CONTRADICTING * spread)
     return wrong
 
 
@@ -134,11 +126,11 @@ def _findings(found: CloudControl, extent: np.ndarray) -> tuple[str, ...]:
     if not heights:
         sentences.append(say("No point tells the cloud's height: only its place in plan is shifted."))
     for count, what in ((heights, say("height")), (plan, say("place in plan"))):
-        if 0 < count < LIMITS.few:
+        if 0 < count < FEW:
             sentences.append(say("{count} control points tell the {what}: too few to show a wrong one among them.",
                                  count=count, what=what))
     places = points.true[found.used.any(axis=1), :2]
-    if len(places) >= LIMITS.few and np.hypot(*np.ptp(places, axis=0)) < LIMITS.narrow * np.hypot(*extent):
+    if len(places) >= FEW and np.hypot(*np.ptp(places, axis=0)) < NARROW * np.hypot(*extent):
         sentences.append(say("The control points lie close together: away from them the cloud may be tilted."))
     if found.wrong.any():
         sentences.append(say("Points that contradict the others, and were not followed: {names}.",
@@ -146,7 +138,7 @@ def _findings(found: CloudControl, extent: np.ndarray) -> tuple[str, ...]:
     if unmeasured:
         sentences.append(say("The cloud has no ground around these points: {names}.", names=", ".join(unmeasured)))
     known = np.isfinite(found.sigma)
-    if known.any() and not (np.abs(found.shift) > LIMITS.trusted * found.sigma)[known].any():
+    if known.any() and not (np.abs(found.shift) > TRUSTED * found.sigma)[known].any():
         sentences.append(say("The shift is no larger than its accuracy: the cloud fits as it is."))
     return tuple(sentences)
 

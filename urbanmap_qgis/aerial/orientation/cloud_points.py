@@ -28,19 +28,11 @@ CLOUD_POINTS = (
 COLUMNS, _NEEDED, _ALIASES = names_of(CLOUD_POINTS), needed_of(CLOUD_POINTS), aliases_of(CLOUD_POINTS)
 _GROUND = (2, 8, 10, 11)
 
-
-@dataclass(frozen=True)
-class CloudPointLimits:
-    """Limits of heights measured in a cloud, each with its unit."""
-
-    radius: float = 1.5  # m around a point in which the ground is taken for a plane
-    fewest: int = 6  # points of it
-    rounds: int = 6
-    forget: float = 3.0  # sigmas at which a point of the cloud counts a quarter
-    noise: float = 0.01  # m, of a cloud's height over some points at least: what they share
-
-
-LIMITS = CloudPointLimits()
+RADIUS = 1.5  # m around a point in which the ground is taken for a plane
+FEWEST = 6  # points of it
+ROUNDS = 6
+FORGET = 3.0  # sigmas at which a point of the cloud counts a quarter
+NOISE = 0.01  # m, of a cloud's height over some points at least: what they share
 
 
 @dataclass(frozen=True)
@@ -116,7 +108,7 @@ def measured_heights(points: CloudPoints, cloud: PointCloud, progress: Progress 
     around = _ground_around(place, cloud, progress)
     found, sigma = points.found.copy(), points.sigma.copy()
     for number, near in enumerate(around):
-        height, accuracy = _height_of_plane(near - [*place[number], 0.0]) if len(near) >= LIMITS.fewest else (
+        height, accuracy = _height_of_plane(near - [*place[number], 0.0]) if len(near) >= FEWEST else (
             np.nan, np.nan)
         if np.isnan(found[number, 2]):
             found[number, 2], sigma[number] = height, accuracy
@@ -131,12 +123,12 @@ def _ground_around(place: np.ndarray, cloud: PointCloud, progress: Progress) -> 
     tree = cKDTree(place)
     parts: list[list[np.ndarray]] = [[] for _ in place]
     classes: list[list[np.ndarray]] = [[] for _ in place]
-    low, high = place.min(axis=0) - LIMITS.radius, place.max(axis=0) + LIMITS.radius
+    low, high = place.min(axis=0) - RADIUS, place.max(axis=0) + RADIUS
     for chunk in iter_chunks(cloud, progress, shape_only=True):
         xyz = np.column_stack([np.asarray(chunk[name]) for name in "xyz"])
         near = np.flatnonzero(valid_points(chunk) & (xyz[:, :2] >= low).all(axis=1) & (xyz[:, :2] <= high).all(axis=1))
         ground = of_classes(chunk, _GROUND)
-        for row, owners in zip(near, tree.query_ball_point(xyz[near, :2], LIMITS.radius)):
+        for row, owners in zip(near, tree.query_ball_point(xyz[near, :2], RADIUS)):
             for owner in owners:
                 parts[owner].append(xyz[row])
                 classes[owner].append(ground[row])
@@ -153,12 +145,12 @@ def _height_of_plane(near: np.ndarray) -> tuple[float, float]:
     """
     design = np.column_stack([near[:, :2], np.ones(len(near))])
     weight = (near[:, 2] <= np.median(near[:, 2])).astype(float)
-    scatter = LIMITS.noise
-    for _ in range(LIMITS.rounds):
+    scatter = NOISE
+    for _ in range(ROUNDS):
         root = np.sqrt(weight)
         plane = np.linalg.lstsq(design * root[:, None], near[:, 2] * root, rcond=None)[0]
         left = near[:, 2] - design @ plane
-        scatter = max(SIGMA_OF_MAD * float(np.median(np.abs(left[weight > 0.25]))), LIMITS.noise)
-        weight = (1.0 + (left / scatter / LIMITS.forget) ** 2) ** -2.0
+        scatter = max(SIGMA_OF_MAD * float(np.median(np.abs(left[weight > 0.25]))), NOISE)
+        weight = (1.0 + (left / scatter / FORGET) ** 2) ** -2.0
     normal = np.linalg.pinv((design * weight[:, None]).T @ design)
-    return float(plane[2]), float(np.hypot(scatter * np.sqrt(normal[2, 2]), LIMITS.noise))
+    return float(plane[2]), float(np.hypot(scatter * np.sqrt(normal[2, 2]), NOISE))

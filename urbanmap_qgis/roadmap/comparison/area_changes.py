@@ -13,21 +13,14 @@ from ..lines.symbols import UNKNOWN_ARROW
 from .comparison_records import ADDED, MOVED, REPAINTED, MapChange, MapNoise
 from .cross_sections import PARALLEL
 from .difference_noise import BOTH, difference_sigma
-from .line_changes import LIMITS as LINE_LIMITS
+from .line_changes import COVER
 from .map_elements import CROSSWALK, STOP_LINE, SYMBOL, MapElement
 
+REACH_STOP = 5.0  # Farthest match of stop lines, m.
+REACH_CROSSWALK = 5.0  # Of crosswalks, m.
+REACH_SYMBOL = 3.0  # Of symbols, m.
 
-@dataclass(frozen=True)
-class AreaChangesLimits:
-    """Limits of changes of stop lines, crosswalks and symbols, each with its unit."""
-
-    reach_stop: float = 5.0  # Farthest match of stop lines, m.
-    reach_crosswalk: float = 5.0  # Of crosswalks, m.
-    reach_symbol: float = 3.0  # Of symbols, m.
-
-
-LIMITS = AreaChangesLimits()
-REACH = {STOP_LINE: LIMITS.reach_stop, CROSSWALK: LIMITS.reach_crosswalk, SYMBOL: LIMITS.reach_symbol}
+REACH = {STOP_LINE: REACH_STOP, CROSSWALK: REACH_CROSSWALK, SYMBOL: REACH_SYMBOL}
 
 
 @dataclass(frozen=True)
@@ -167,7 +160,7 @@ def _shown(places: np.ndarray, lines: Sequence[MapElement], area: shapely.Geomet
     shown = np.zeros(len(places), bool)
     if len(lines) and len(places):
         shapes, points = np.array([line.plan for line in lines], object), shapely.points(places)
-        place, line = shapely.STRtree(shapes).query(points, predicate="dwithin", distance=LINE_LIMITS.cover)
+        place, line = shapely.STRtree(shapes).query(points, predicate="dwithin", distance=COVER)
         at = shapely.line_locate_point(shapes[line], points[place])
         shown[place[(at > 0) & (at < shapely.length(shapes[line]))]] = True
     return shown

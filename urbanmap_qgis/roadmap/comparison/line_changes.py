@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 import shapely
@@ -15,19 +14,11 @@ from .cross_sections import STEP, LineMatches, LineSamples, crossings
 from .difference_noise import difference_sigma
 from .map_elements import LINE, MapElement
 
-
-@dataclass(frozen=True)
-class LineChangesLimits:
-    """Limits of changes of lines, each with its unit."""
-
-    smooth: float = 5.0  # A shift is the median over so much of the line, m.
-    twin: float = 0.10  # Lines so near to each other are one that is drawn twice, m.
-    double: float = 0.60  # A line so near to a double one may be half of it, m.
-    cover: float = 15.0  # A map shows a road where it has a line of its course so near, m.
-    share: float = 0.8  # Of lines shorter than what is told, a change of this share is told.
-
-
-LIMITS = LineChangesLimits()
+SMOOTH = 5.0  # A shift is the median over so much of the line, m.
+TWIN = 0.10  # Lines so near to each other are one that is drawn twice, m.
+DOUBLE = 0.60  # A line so near to a double one may be half of it, m.
+COVER = 15.0  # A map shows a road where it has a line of its course so near, m.
+SHARE = 0.8  # Of lines shorter than what is told, a change of this share is told.
 
 
 def missing_lines(samples: LineSamples, matches: LineMatches, first: Sequence[MapElement], other: Sequence[MapElement],
@@ -38,17 +29,17 @@ def missing_lines(samples: LineSamples, matches: LineMatches, first: Sequence[Ma
     ----------
     area : which both maps show; None takes where there is another line of about the same course.
     """
-    lacking = (matches.other < 0) & (matches.nearest > LIMITS.twin) & (matches.doubled > LIMITS.twin)
+    lacking = (matches.other < 0) & (matches.nearest > TWIN) & (matches.doubled > TWIN)
     half = np.array([bool(one.double) for one in other])
     single = np.array([not one.double for one in first])
     at = np.flatnonzero(lacking)
     if half.any():
-        sample, line, _ = crossings(samples.of(at), other, LIMITS.double)
+        sample, line, _ = crossings(samples.of(at), other, DOUBLE)
         beside = np.unique(sample[half[line]])
         lacking[at[beside[single[samples.line[at[beside]]]]]] = False
         at = np.flatnonzero(lacking)
     if area is None:
-        shown = np.isin(np.arange(len(at)), crossings(samples.of(at), other, LIMITS.cover)[0])
+        shown = np.isin(np.arange(len(at)), crossings(samples.of(at), other, COVER)[0])
     else:
         shown = shapely.contains_xy(area, *samples.places[at].T)
     outside = np.zeros(len(lacking), bool)
@@ -83,7 +74,7 @@ def moved_lines(samples: LineSamples, matches: LineMatches, old: Sequence[MapEle
                              np.append([one.sigma for one in new], np.nan)[matches.other], bend)
     shift = np.full(len(bend), np.nan)
     for run in runs_of(matches.other >= 0, samples.line):
-        shift[run] = median_filter(matches.across[run], max(int(LIMITS.smooth / STEP) | 1, 1), mode="nearest")
+        shift[run] = median_filter(matches.across[run], max(int(SMOOTH / STEP) | 1, 1), mode="nearest")
     large = np.abs(shift) > np.maximum(noise.limit * sigma, settings.least_shift)
     changes, moved = [], np.zeros(len(bend), bool)
     for side in (1.0, -1.0):
@@ -140,7 +131,7 @@ def told_runs(mask: np.ndarray, samples: LineSamples, lines: Sequence[MapElement
     """Those that are long enough to be told."""
     return [run for run in runs_of(mask, samples.line)
             if _length(samples, run, lines[samples.line[run[0]]]) >= min(
-                settings.least_length, LIMITS.share * lines[samples.line[run[0]]].plan.length)]
+                settings.least_length, SHARE * lines[samples.line[run[0]]].plan.length)]
 
 
 def _length(samples: LineSamples, run: np.ndarray, line: MapElement) -> float:
