@@ -9688,6 +9688,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>ディスクの空き容量がありません。出力先と一時ファイルのディスクを空けて、再度実行してください。</translation>
     </message>
     <message>
+        <source>Matrix is not positive definite</source>
+        <translation>行列が正定値ではありません</translation>
+    </message>
+    <message>
         <source>The trajectory runs from {first:.0f} to {last:.0f} s, but the points were measured from {start:.0f} to {end:.0f} s: give the trajectory of this survey, in the time of its points.</source>
         <translation>軌跡の時刻は {first:.0f}～{last:.0f} 秒ですが、点群は {start:.0f}～{end:.0f} 秒に計測されています。この計測の軌跡を、点群と同じ時刻系で指定してください。</translation>
     </message>
@@ -12648,44 +12652,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>補正後の軌跡は {time:.1f}～{time_2:.1f} s ですが、補正前の軌跡は {time_3:.1f}～{time_4:.1f} s です。同じ計測の2つを指定してください。</translation>
     </message>
     <message>
-        <source>step of the drive or of the reference</source>
-        <translation>走行側または基準側の段差</translation>
-    </message>
-    <message>
-        <source>changed markings</source>
-        <translation>変化した標示</translation>
-    </message>
-    <message>
-        <source>reference and survey disagree</source>
-        <translation>基準と計測の不一致</translation>
-    </message>
-    <message>
-        <source>hidden step</source>
-        <translation>隠れた段差</translation>
-    </message>
-    <message>
-        <source>reference and survey disagree: one side of a step may be wrong</source>
-        <translation>基準と計測の不一致：段差のどちらか一方の側が誤りかもしれません</translation>
-    </message>
-    <message>
-        <source>the markings here changed: reference and survey disagree</source>
-        <translation>この区間の標示は変化している：基準と計測の不一致</translation>
-    </message>
-    <message>
-        <source>a step of the error hides here, where no markings are</source>
-        <translation>標示のないこの区間に誤差の段差が隠れている</translation>
-    </message>
-    <message>
         <source>part of the markings lies elsewhere</source>
         <translation>標示の一部が別の位置</translation>
     </message>
     <message>
         <source>a good part of the markings lies elsewhere by one shift</source>
         <translation>標示のかなりの部分が同じずれだけ別の位置にあります</translation>
-    </message>
-    <message>
-        <source>No section of the survey could be registered to the reference markings: check that both show the same streets in the same coordinate system, and that the survey has intensities that show paint.</source>
-        <translation>計測データのどの区間も、基準の路面標示に位置合わせできませんでした。両方が同じ道路を同じ座標系で示しているか、計測データの反射強度に標示が表れているか確認してください。</translation>
     </message>
     <message>
         <source>no markings just before or after the patch</source>
@@ -12756,6 +12728,38 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>走行区間が短く、精度が分かりません</translation>
     </message>
     <message>
+        <source>step of the drive or of the reference</source>
+        <translation>走行側または基準側の段差</translation>
+    </message>
+    <message>
+        <source>changed markings</source>
+        <translation>変化した標示</translation>
+    </message>
+    <message>
+        <source>reference and survey disagree</source>
+        <translation>基準と計測の不一致</translation>
+    </message>
+    <message>
+        <source>hidden step</source>
+        <translation>隠れた段差</translation>
+    </message>
+    <message>
+        <source>reference and survey disagree: one side of a step may be wrong</source>
+        <translation>基準と計測の不一致：段差のどちらか一方の側が誤りかもしれません</translation>
+    </message>
+    <message>
+        <source>the markings here changed: reference and survey disagree</source>
+        <translation>この区間の標示は変化している：基準と計測の不一致</translation>
+    </message>
+    <message>
+        <source>a step of the error hides here, where no markings are</source>
+        <translation>標示のないこの区間に誤差の段差が隠れている</translation>
+    </message>
+    <message>
+        <source>reference and survey disagree: a stretch of the markings changed, or all others did</source>
+        <translation>基準と測量成果が一致しません：区画線の一部の区間が変わったか、他のすべてが変わっています</translation>
+    </message>
+    <message>
         <source>markings and walls disagree</source>
         <translation>標示と壁面の不一致</translation>
     </message>
@@ -12764,8 +12768,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>ここでは標示と壁面が一致しません</translation>
     </message>
     <message>
-        <source>Matrix is not positive definite</source>
-        <translation>行列が正定値ではありません</translation>
+        <source>No section of the survey could be registered to the reference markings: check that both show the same streets in the same coordinate system, and that the survey has intensities that show paint.</source>
+        <translation>計測データのどの区間も、基準の路面標示に位置合わせできませんでした。両方が同じ道路を同じ座標系で示しているか、計測データの反射強度に標示が表れているか確認してください。</translation>
     </message>
     <message>
         <source>The expected share of outliers must lie between 0 and 1.</source>

@@ -19,7 +19,6 @@ from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.calibration import read_calibration
 from urbanmap_qgis.mobile.markings.extraction import ExtractionSettings
 from urbanmap_qgis.mobile.markings.records import MarkingPoints
-from urbanmap_qgis.mobile.registration.correction.gauss_markov import path_parameters_of
 from urbanmap_qgis.mobile.registration.correction.patch_status import DISTRUSTED, REGISTERED
 from urbanmap_qgis.mobile.registration.correction.settings import CorrectionSettings
 from urbanmap_qgis.mobile.registration.records import RegistrationSettings
@@ -27,6 +26,7 @@ from urbanmap_qgis.mobile.registration.run import RegistrationRun
 from urbanmap_qgis.mobile.registration.stage import register_markings
 from urbanmap_qgis.mobile.registration.start.reference import Reference
 from urbanmap_qgis.mobile.registration.survey_markings import survey_markings
+from urbanmap_qgis.mobile.registration.trajectory_stops import path_parameters_of
 from urbanmap_qgis.mobile.registration.walls.witness import WallWitness
 from urbanmap_qgis.mobile.trajectory import Trajectory, interpolate, move_points, path_chainage
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory

@@ -9,14 +9,15 @@ import pytest
 
 from tests.core.simulated_windows import shifted, simulate
 from urbanmap_qgis.errors import InsufficientDataError
+from urbanmap_qgis.estimation.block_chain import solve_chain
+from urbanmap_qgis.estimation.error_model import AttitudeError
+from urbanmap_qgis.estimation.gauss_markov import GaussMarkovDrift, PathLinks
 from urbanmap_qgis.mobile.registration.correction.adjustment import adjust_correction
-from urbanmap_qgis.mobile.registration.correction.error_model import AttitudeError
-from urbanmap_qgis.mobile.registration.correction.gauss_markov import GaussMarkovDrift, path_parameters_of
 from urbanmap_qgis.mobile.registration.correction.patch_corrections import correct_trajectory
 from urbanmap_qgis.mobile.registration.correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED
 from urbanmap_qgis.mobile.registration.correction.settings import CorrectionSettings
-from urbanmap_qgis.mobile.registration.matching.block_chain import solve_chain
 from urbanmap_qgis.mobile.registration.records import NO_MARKINGS
+from urbanmap_qgis.mobile.registration.trajectory_stops import path_parameters_of
 
 
 def plan_error(drive, correction):
@@ -54,7 +55,7 @@ def test_chain_equals_the_dense_solution():
 def test_drift_is_the_integral_of_a_forgetting_rate():
     """Variance after a distance, from many short steps of an Euler scheme written here."""
     model = GaussMarkovDrift(np.full(6, 0.01), 20.0, np.full(6, 0.002), np.ones(6), 1.0, 0.1)
-    transition, precision = model.steps(np.array([0.0, 30.0]), np.zeros(1), np.zeros(1), (0,))
+    transition, precision = model.steps(np.array([0.0, 30.0]), PathLinks.none(1), (0,))
     rng, step, count = np.random.default_rng(1), 0.05, 20000
     rate, error = np.zeros(count), np.zeros(count)
     for _ in range(600):
@@ -62,7 +63,7 @@ def test_drift_is_the_integral_of_a_forgetting_rate():
         rate += -rate / 20.0 * step + 0.01 * np.sqrt(2 * step / 20.0) * rng.standard_normal(count)
     assert np.allclose(np.linalg.inv(precision[0, 0]), np.cov(error, rate), rtol=0.06)
     assert transition[0, 0, 1] == pytest.approx(20.0 * (1 - np.exp(-1.5)))
-    stopped = model.steps(np.array([0.0, 30.0]), np.array([25.0]), np.zeros(1), (0, 5))[1]
+    stopped = model.steps(np.array([0.0, 30.0]), replace(PathLinks.none(1), stopped=np.array([25.0])), (0, 5))[1]
     grown = np.linalg.inv(stopped[0, 0]) - np.linalg.inv(precision[0, 0])
     assert grown[0, 0] == pytest.approx(0.25, rel=1e-6)  # 0.1 m in the root of a second, 25 s
     assert np.allclose(np.linalg.inv(stopped[0, 1]), np.linalg.inv(precision[0, 0]))  # angles do not mind

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from urbanmap_qgis.estimation.gauss_markov import GaussMarkovDrift, PathLinks
 from urbanmap_qgis.mobile.adjustment.drive_drift import DriveNodes
 from urbanmap_qgis.mobile.adjustment.network import (
     CONTROL,
@@ -16,7 +17,6 @@ from urbanmap_qgis.mobile.adjustment.network import (
     NetworkSettings,
     adjust_network,
 )
-from urbanmap_qgis.mobile.registration.correction.gauss_markov import GaussMarkovDrift
 
 MODEL = GaussMarkovDrift(np.full(6, 2e-3), 40.0, np.full(6, 1.5e-3), np.full(6, 3.0), 1.0, 0.1)
 SETTINGS = NetworkSettings(MODEL)
@@ -24,7 +24,7 @@ SETTINGS = NetworkSettings(MODEL)
 
 def nodes(length: float, spacing: float = 5.0) -> DriveNodes:
     parameter = np.arange(0.0, length + spacing, spacing)
-    return DriveNodes(parameter, np.zeros(len(parameter) - 1), np.zeros(len(parameter) - 1))
+    return DriveNodes(parameter, PathLinks.none(len(parameter) - 1))
 
 
 def rows(drive, parameter, other, other_parameter, value, sigma, kind) -> NetworkObservations:
@@ -103,7 +103,7 @@ def test_against_dense_normal_equations():
     seen = rows(0, [5.0], NONE, [0.0], [[1.0, -2.0, 0.5]], 0.1, CONTROL)
     made = adjust_network([drive], seen, NetworkSettings(MODEL))
     model = MODEL.scaled(made.drift_factor)
-    transition, precision = model.steps(drive.parameter, drive.stops, drive.jumps, (0,))
+    transition, precision = model.steps(drive.parameter, drive.links, (0,))
     dense = np.zeros((6, 6))
     for i in range(2):
         step = np.zeros((2, 6))
@@ -148,7 +148,7 @@ def test_a_jump_of_the_trajectory_lets_the_error_jump_by_as_much():
     model = GaussMarkovDrift(np.full(6, 0.01), 20.0, np.full(6, 0.002), np.ones(6), 1.0, 0.1)
     path = np.array([0.0, 5.0, 10.0, 15.0, 20.0])
     jump, stopped, fast = np.array([0.0, 3.0, 0.0, 0.0]), np.array([0.0, 0, 4.0, 0]), np.array([0.0, 0, 0, 5.0])
-    _, precision = model.steps(path, stopped, jump, (0, 3), fast)
+    _, precision = model.steps(path, replace(PathLinks.none(4), stopped=stopped, jump=jump), (0, 3), fast)
     variance = np.linalg.inv(precision)[:, :, 0, 0]
     assert variance[:, 0] - variance[0, 0] == pytest.approx([0.0, 9.0, 4.0 * 0.1**2, 25.0], rel=1e-6, abs=1e-9)
     assert variance[:, 1] - variance[0, 1] == pytest.approx([0.0, 9.0, 0.0, 0.0], rel=1e-6, abs=1e-9)

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from scipy.sparse import csr_matrix
 
-from urbanmap_qgis.mobile.registration.correction import held_observations
-from urbanmap_qgis.mobile.registration.correction.held_observations import HeldSystem, OffsetEquations
-from urbanmap_qgis.mobile.registration.matching.offset_chain import OffsetChain, touched_states
+from urbanmap_qgis.estimation import held_observations
+from urbanmap_qgis.estimation.held_observations import HeldSystem, OffsetEquations
+from urbanmap_qgis.estimation.offset_chain import OffsetChain, touched_states
 
 STATES, SIZE = 30, 4
 

@@ -12,7 +12,7 @@ from urbanmap_qgis.mobile.adjustment.records import AdjustmentRun
 from urbanmap_qgis.mobile.adjustment.steps import away_from_steps, observed_steps
 from urbanmap_qgis.mobile.adjustment.ties import Drive
 from urbanmap_qgis.mobile.boresight.plane_patches import PlanePatches
-from urbanmap_qgis.mobile.registration.correction.gauss_markov import path_parameters_of, stilled
+from urbanmap_qgis.mobile.registration.trajectory_stops import path_parameters_of, stilled
 from urbanmap_qgis.mobile.trajectory import Trajectory
 from urbanmap_qgis.progress import SILENT
 

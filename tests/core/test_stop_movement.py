@@ -13,7 +13,7 @@ from urbanmap_qgis.mobile.adjustment.network import CONTROL, NONE, NetworkObserv
 from urbanmap_qgis.mobile.adjustment.records import AdjustmentRun
 from urbanmap_qgis.mobile.adjustment.ties import Drive
 from urbanmap_qgis.mobile.registration.correction.adjustment import adjust_correction
-from urbanmap_qgis.mobile.registration.correction.gauss_markov import STILL, StopMovement
+from urbanmap_qgis.mobile.registration.trajectory_stops import STILL, links_along
 from urbanmap_qgis.mobile.trajectory import interpolate
 from urbanmap_qgis.progress import SILENT
 
@@ -32,13 +32,13 @@ def wandering(waits, wandered, at):
 def test_what_a_standing_vehicle_wanders_is_found_and_what_it_drives_is_not():
     reported, (begin, end) = wandering({100.0: 20.0, 200.0: 10.0}, WANDERED, 100.0)
     time = np.array([0.0, begin - 2.0, begin + 5.0, end + 2.0, reported.time[-1]])
-    made = StopMovement.of(reported, time)
+    made = links_along(reported, time)
     assert made.moved[1:3].sum(axis=0) == pytest.approx(WANDERED, abs=0.02)
     assert np.abs(made.moved[[0, 3]]).max() < 0.02  # the second wait does not wander
     assert made.moved[1] == pytest.approx(0.25 * WANDERED, abs=0.03)  # five of twenty seconds
     ahead = 0.25 * WANDERED[0]  # it drives eastwards: of that some may be true
-    assert np.sqrt(made.variance[1:3].sum()) == pytest.approx(STILL + ahead, rel=0.1)
-    assert np.sqrt(made.variance[3]) == pytest.approx(STILL, rel=0.1) and made.variance[0] == 0.0
+    assert np.sqrt(made.stop_variance[1:3].sum()) == pytest.approx(STILL + ahead, rel=0.1)
+    assert np.sqrt(made.stop_variance[3]) == pytest.approx(STILL, rel=0.1) and made.stop_variance[0] == 0.0
 
 
 def test_the_correction_goes_on_over_a_wait_without_markings():
@@ -61,7 +61,7 @@ def test_a_vehicle_whose_trajectory_goes_back_slowly_stands_and_one_that_creeps_
     back, (begin, end) = wandering({100.0: 10.0}, np.array([-2.0, 0.0, 0.0]), 100.0)
     ahead, _ = wandering({100.0: 10.0}, np.array([2.0, 0.0, 0.0]), 100.0)
     time = np.array([begin + 1.0, end - 1.0])  # 0.2 m/s: more than a standing vehicle's trajectory wanders as a rule
-    moved, none = (StopMovement.of(drive, time).moved.sum(axis=0) for drive in (back, ahead))
+    moved, none = (links_along(drive, time).moved.sum(axis=0) for drive in (back, ahead))
     assert moved == pytest.approx([-1.6, 0.0, 0.0], abs=0.02)
     assert np.abs(none[0]) < 0.1 * 1.6
 

@@ -19,9 +19,9 @@ CORE = source_tree.CORE
 BASE = {"errors", "progress", "execution", "dependencies", "sources", "wording", "settings"}
 
 # From the ground up: a room imports from the floors below its own, never from its own floor's neighbours.
-FLOORS = (BASE, {"geometry"}, {"io"}, {"terrain", "citymodel", "tiling", "acceptance"}, {"aerial", "mobile"},
-          {"buildings", "roadmap", "roadspace"}, {"facades", "imagery", "gnss"}, {"localisation"}, {"job"},
-          {"samplecity"})
+FLOORS = (BASE, {"geometry"}, {"estimation", "io"}, {"terrain", "citymodel", "tiling", "acceptance"},
+          {"aerial", "mobile"}, {"buildings", "roadmap", "roadspace"}, {"facades", "imagery", "gnss"}, {"localisation"},
+          {"job"}, {"samplecity"})
 
 IMPORTS = {name: source_tree.own_imports(path) for name, path in source_tree.modules().items()}
 STAGES = {name: path for name, path in source_tree.modules(source_tree.FACE).items()

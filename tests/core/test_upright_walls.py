@@ -9,10 +9,10 @@ import pytest
 
 from tests.core.simulated_windows import simulate
 from tests.core.test_second_witness import adjusted, street
+from urbanmap_qgis.estimation.normal_equations import PLANE, SPACE
 from urbanmap_qgis.io.points.pointcloud import open_cloud
-from urbanmap_qgis.mobile.registration.correction.gauss_markov import path_parameters_of
-from urbanmap_qgis.mobile.registration.correction.normal_equations import PLANE, SPACE
 from urbanmap_qgis.mobile.registration.correction.settings import CorrectionSettings
+from urbanmap_qgis.mobile.registration.trajectory_stops import path_parameters_of
 from urbanmap_qgis.mobile.registration.walls.facade_planes import facade_planes
 from urbanmap_qgis.mobile.registration.walls.upright_walls import UprightWalls
 from urbanmap_qgis.mobile.registration.walls.witness import WallWitness

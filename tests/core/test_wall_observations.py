@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import InsufficientDataError
+from urbanmap_qgis.estimation.gauss_markov import GaussMarkovDrift, PathLinks
 from urbanmap_qgis.mobile.adjustment.drive_drift import DriveNodes
 from urbanmap_qgis.mobile.adjustment.network import (
     CONTROL,
@@ -22,7 +23,6 @@ from urbanmap_qgis.mobile.adjustment.network import (
 from urbanmap_qgis.mobile.adjustment.records import AdjustmentRun
 from urbanmap_qgis.mobile.adjustment.ties import Drive
 from urbanmap_qgis.mobile.adjustment.wall_observations import BuildingWalls, DriveWalls
-from urbanmap_qgis.mobile.registration.correction.gauss_markov import GaussMarkovDrift, StopMovement
 from urbanmap_qgis.mobile.registration.matching.results import angle_rates
 from urbanmap_qgis.mobile.registration.walls.facade_planes import FacadePlanes
 from urbanmap_qgis.mobile.registration.walls.outline_walls import WallEdges
@@ -112,7 +112,7 @@ def wall_rows(drive, wall, value, sigma=0.03):
 
 
 def short_drives(count):
-    return [DriveNodes(np.array([0.0, 4.0]), np.zeros(1), np.zeros(1))] * count
+    return [DriveNodes(np.array([0.0, 4.0]), PathLinks.none(1))] * count
 
 
 @pytest.mark.parametrize("times", [1, 9])
@@ -174,11 +174,12 @@ def test_how_much_buildings_differ_is_found():
 def test_what_a_trajectory_wanders_while_the_vehicle_stands_is_its_error():
     """Right before a stop in which the trajectory wanders by 0.5 m to the east: after it the correction takes it back.
     """
-    still = StopMovement(np.array([[0.5, 0.0, 0.0]]), np.array([1e-6]))
+    stop = replace(PathLinks.none(1), stopped=np.array([60.0]))
+    still = replace(stop, moved=np.array([[0.5, 0.0, 0.0]]), stop_variance=np.array([1e-6]))
     known = replace(wall_rows([0], [NONE], [0.0], 0.001), kind=np.array([CONTROL]), outward=np.zeros((1, 2)),
                     value=np.array([[0.0, 0.0, 0.0, np.nan]]), covariance=np.eye(4)[None] * 1e-6)
-    for standing, east in ((still, -0.5), (None, 0.0)):
-        drive = DriveNodes(np.array([0.0, 1.0]), np.array([60.0]), np.zeros(1), standing=standing)
+    for standing, east in ((still, -0.5), (stop, 0.0)):
+        drive = DriveNodes(np.array([0.0, 1.0]), standing)
         made = adjust_network([drive], known, NetworkSettings(MODEL))
         assert made.state[0][1, 0, 0] == pytest.approx(east, abs=0.002)
     assert made.covariance[0][1, 0, 0] > 0.1**2 * 60.0 * 0.99  # nothing known: it wanders by its own model
@@ -215,7 +216,7 @@ def test_a_common_offset_of_opposite_walls_moves_nothing():
                                outward)
     parameter = np.array([0.0, 4.0])
     alike = NetworkSettings(MODEL, differ=(1e-6, 1e-6))
-    made = adjust_network([DriveNodes(parameter, np.zeros(1), np.zeros(1))], seen, alike)
+    made = adjust_network([DriveNodes(parameter, PathLinks.none(1))], seen, alike)
     assert np.abs(made.state[0][:, :2, 0]).max() < 1e-9
     weight = 2.0 * made.weight[0] / made.noise_factor / 0.04**2
     assert made.offset == pytest.approx(0.2 * weight / (weight + 0.3**-2), rel=1e-3)

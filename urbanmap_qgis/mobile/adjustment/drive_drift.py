@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.sparse import coo_matrix, csc_matrix
 
-from ..registration.correction.gauss_markov import GaussMarkovDrift, StopMovement
+from ...estimation.gauss_markov import GaussMarkovDrift, PathLinks
 
 ACTIVE = (0, 1, 2, 5)
 """Of the drift's parameters: east, north, up, heading."""
@@ -25,18 +25,14 @@ class DriveNodes:
     Attributes
     ----------
     parameter : (k,) m, of the path with its stops (see `gauss_markov`), increasing.
-    stops : (k - 1,) s that the vehicle stands between nodes.
-    jumps : (k - 1,) m by which the trajectory jumps there.
+    links : of the nodes.
     fast : (k - 1,) m by which its error in plan changes there faster than drift; None for nowhere.
-    standing : what its trajectory wanders while the vehicle stands is its error; None where that is not known.
     lively : by how much it drifts more in plan than the model.
     """
 
     parameter: np.ndarray
-    stops: np.ndarray
-    jumps: np.ndarray
+    links: PathLinks
     fast: np.ndarray | None = None
-    standing: StopMovement | None = None
     lively: float = 1.0
 
     def __len__(self) -> int:
@@ -49,16 +45,14 @@ class DriveNodes:
     def changes(self) -> np.ndarray:
         """(k - 1, 4) m, degrees, by which the correction changes between nodes as the vehicle stands there."""
         change = np.zeros((len(self) - 1, len(ACTIVE)))
-        if self.standing is not None:
-            change[:, :3] = -self.standing.moved
+        change[:, :3] = -self.links.moved
         return change
 
     def steps(self, model: GaussMarkovDrift) -> tuple[np.ndarray, np.ndarray]:
         """Transitions (k - 1, 2, 2) and precisions (k - 1, 4, 2, 2) of the drift between the nodes."""
         more = np.where(np.arange(len(model.rate_sigma)) < 2, self.lively, 1.0)
         model = replace(model, rate_sigma=model.rate_sigma * more, random_walk=model.random_walk * more)
-        return model.steps(self.parameter, self.stops, self.jumps, ACTIVE, 0.0 if self.fast is None else self.fast,
-                           None if self.standing is None else self.standing.variance)
+        return model.steps(self.parameter, self.links, ACTIVE, 0.0 if self.fast is None else self.fast)
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ import numpy as np
 
 from ...progress import Progress
 from ...wording import known, say
-from ..registration.correction.gauss_markov import StopMovement, jump_steps, still_wandering, stop_steps
+from ..registration.trajectory_stops import links_along, still_wandering
 from ..trajectory import Trajectory, interpolate
 from .drive_drift import DriveNodes
 from .network import RELATIVE_KINDS, NetworkObservations, NetworkSettings, adjust_network
@@ -101,8 +101,7 @@ def _nodes(trajectory: Trajectory, parameter: np.ndarray, number: int,
     at = np.linspace(parameter[0], parameter[-1], count + 1)
     rising = np.concatenate([[True], np.diff(parameter) > 0])
     time = np.interp(at, parameter[rising], trajectory.time[rising])
-    return DriveNodes(at, stop_steps(trajectory, time), jump_steps(trajectory, time),
-                      observed_steps(observations, number, at), StopMovement.of(trajectory, time)), time
+    return DriveNodes(at, links_along(trajectory, time), observed_steps(observations, number, at)), time
 
 
 def _networks(count: int, observations: NetworkObservations, inlier: np.ndarray) -> list[bool | None]:

@@ -17,8 +17,8 @@ import numpy as np
 from scipy.sparse import coo_matrix, csc_matrix
 from scipy.sparse.linalg import splu
 
+from ...estimation.gauss_markov import GaussMarkovDrift
 from ...wording import mark
-from ..registration.correction.gauss_markov import GaussMarkovDrift
 from .drive_drift import ACTIVE, DriftPrior, DriveNodes, drift_prior
 
 TIE, CONTROL, REFERENCE, PLANE, WALL = range(5)

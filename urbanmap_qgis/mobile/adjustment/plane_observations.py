@@ -10,7 +10,7 @@ import numpy as np
 
 from ...progress import SILENT, Progress
 from ...wording import say
-from ..registration.correction.gauss_markov import stilled
+from ..registration.trajectory_stops import stilled
 from ..trajectory import Trajectory
 from .drive_network import adjust_drives
 from .network import NetworkObservations

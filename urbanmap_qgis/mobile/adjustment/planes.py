@@ -22,7 +22,7 @@ from ..boresight.plane_patches import PatchSearch, PlanePatches, group_pairs
 from ..gps_time import time_shift
 from ..markings.extraction import WEIGHT
 from ..passes import BlockPositions
-from ..registration.correction.gauss_markov import path_parameters_of, standing_variance
+from ..registration.trajectory_stops import path_parameters_of, standing_variance
 from ..trajectory import Trajectory, interpolate, move_points
 from .network import PLANE, NetworkObservations
 

@@ -8,8 +8,8 @@ import numpy as np
 
 from ...geometry.tolerances import LEAST_DIVISOR
 from ...settings.mobile import ControlSettings
-from ..registration.correction.gauss_markov import path_parameters_of
 from ..registration.run import RegistrationRun
+from ..registration.trajectory_stops import path_parameters_of
 from ..trajectory import Trajectory
 from .network import KINDS, WALL, Network, NetworkObservations, plan_information, plan_residuals
 

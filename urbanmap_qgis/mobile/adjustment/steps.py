@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..registration.correction.error_steps import MIN_CHANGE
 from ..registration.start.fast_drift import SPAN, fast_drift_rate
 from .network import ACROSS_KINDS, NetworkObservations
 
+_MIN_CHANGE = 0.35  # m in 20 m: the course is known to centimetres, and drifts by 0.3 m there at most (four cities)
 _FEWEST = 4  # observations with one other drive
 _SPACING = 5.0  # m
 _DENIED = 1.0 / 3.0  # of a step, that observations with others change by at most where they deny it
@@ -38,7 +38,7 @@ def observed_steps(observations: NetworkObservations, number: int, parameter: np
         if len(at) < _FEWEST:
             continue
         shift = np.column_stack([np.interp(parameter, at, axis) for axis in value.T])
-        rate = fast_drift_rate(parameter, shift, MIN_CHANGE)
+        rate = fast_drift_rate(parameter, shift, _MIN_CHANGE)
         step = np.maximum(rate[1:], rate[:-1])
         others = courses[:rank] + courses[rank + 1:]
         middle, seen = 0.5 * (parameter[1:] + parameter[:-1]), step.copy()

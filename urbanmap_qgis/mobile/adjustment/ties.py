@@ -18,12 +18,12 @@ from ...progress import SILENT, Progress
 from ...wording import say
 from ..markings.records import MarkingPoints
 from ..passes import BlockPositions
-from ..registration.correction.gauss_markov import path_parameters_of
 from ..registration.correction.patch_status import REGISTERED
 from ..registration.registered_survey import RegisteredSurvey
 from ..registration.run import RegistrationRun
 from ..registration.stage import register_markings
 from ..registration.start.reference import Reference
+from ..registration.trajectory_stops import path_parameters_of
 from ..trajectory import Trajectory, interpolate
 from .network import NONE, REFERENCE, RELATIVE_KINDS, TIE, NetworkObservations
 from .point_reference import PointReference

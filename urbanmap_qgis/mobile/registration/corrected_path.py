@@ -10,7 +10,6 @@ from ...progress import Progress
 from ..markings.records import MarkingPoints
 from ..trajectory import Trajectory
 from .correction.adjustment import adjust_correction
-from .correction.gauss_markov import path_parameters_of
 from .correction.moved_markings import LEAST_BELIEVED, moved_markings, with_moved
 from .correction.patch_corrections import Correction, correct_trajectory
 from .correction.patchwise import correct_patchwise, patchwise_correction
@@ -18,6 +17,7 @@ from .correction.point_observations import PointObservations
 from .records import WindowResults
 from .run import RegistrationRun
 from .start.reference import Reference
+from .trajectory_stops import path_parameters_of
 from .walls.witness import WallWitness
 
 

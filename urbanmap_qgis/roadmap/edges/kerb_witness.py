@@ -10,7 +10,7 @@ import shapely
 
 from ...errors import InsufficientDataError
 from ...io.points.pointcloud import PointCloud
-from ...mobile.registration.correction.gauss_markov import path_parameters_of
+from ...mobile.registration.trajectory_stops import path_parameters_of
 from ...mobile.registration.walls.facade_planes import FacadePlanes
 from ...mobile.registration.walls.outline_walls import WallEdges
 from ...mobile.registration.walls.witness import WallWitness

@@ -12,14 +12,12 @@ from functools import partial
 
 import numpy as np
 
+from ....estimation.chain import NodeChain, nodes_along
+from ....estimation.error_model import PoseErrorModel
 from ....progress import SILENT, Progress
 from ...trajectory import Trajectory, path_chainage
 from ..records import WindowResults
-from .chain import NodeChain, nodes_along
-from .error_steps import unseen_steps, window_steps
-from .fast_changes import fast_changes, with_silences, with_steps, with_undecided
-from .gauss_markov import path_parameters_of
-from .normal_equations import normal_equations_of
+from ..trajectory_stops import links_along, path_parameters_of
 from .patch_corrections import (
     Correction,
     correction_at_patches,
@@ -28,10 +26,12 @@ from .patch_corrections import (
     with_shown_pitch,
 )
 from .patch_status import only_own_mode_fits
-from .robust_fit import Evaluate, chain_likelihood, onto_points, robust_fit
+from .reference_steps import Adjusted, PlacedStep, loose_changes, path_steps
+from .robust_fit import LIMITS, Evaluate, Fit, onto_points, reweighted_fit, robust_fit
 from .second_witness import Witness, WitnessConflict, where_walls_want_it, with_upright_walls, with_witness
 from .settings import CorrectionSettings
-from .side_slip import SideSlip, with_denied_gaps
+from .side_slip import SideSlip
+from .window_factors import normal_equations_of
 
 
 def adjust_correction(windows: WindowResults, trajectory: Trajectory,
@@ -54,19 +54,19 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
     normals = normal_equations_of(windows, np.interp(windows.time, trajectory.time, path_parameter))
     at_patches, nodes = normals.path_parameter, nodes_along(path_parameter, settings.node_length)
     model = settings.error_model(_angle_sigma(trajectory, path_parameter, nodes, settings))
-    chain = NodeChain(normals, nodes, trajectory, path_parameter,
-                   *window_steps(windows, np.interp(nodes, at_patches, windows.chainage), settings.min_margin,
-                                 trajectory))
+    rising = np.concatenate([[True], np.diff(path_parameter) > 0])
+    chain = NodeChain(normals, nodes, links_along(trajectory, np.interp(nodes, path_parameter[rising],
+                                                                        trajectory.time[rising])))
     sure = windows.margin >= settings.min_margin
     allowed = np.where(sure, 1.0, 0.0) if (sure & normals.present).any() else np.ones(len(windows))
-    fit = robust_fit(chain, model, allowed, settings, progress.part(0.0, 0.4))
+    chain, fit, steps = _followed(chain, model, allowed, settings, progress.part(0.0, 0.4))
     doubtful = normals.present & ~sure
     if doubtful.any() and (allowed == 0).any():
         value, covariance = chain.interpolate(fit.state, fit.covariance, at_patches)
         agreeing = doubtful & only_own_mode_fits(windows, value, covariance, settings)
         if agreeing.any():
             allowed, doubtful = np.where(agreeing, 1.0, allowed), doubtful & ~agreeing
-            fit = robust_fit(chain, model, allowed, settings, progress.part(0.4, 0.5))
+            chain, fit, steps = _followed(chain, model, allowed, settings, progress.part(0.4, 0.5))
     if walls is not None:
         agreeing = doubtful & where_walls_want_it(walls, chain, fit, model, windows, at_patches, settings)
         allowed, doubtful = np.where(agreeing, 1.0, allowed), doubtful & ~agreeing
@@ -74,24 +74,44 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
         at_nodes = np.interp(chain.nodes, at_patches, allowed)
         chain, fit = onto_points(points, chain, fit, model, at_nodes, settings, progress.part(0.5, 1.0))
     model = model.scaled(fit.drift_factor).with_heading(fit.heading_factor)
-    slip = SideSlip.of(trajectory, path_parameter)
-    at_nodes = np.interp(chain.nodes, at_patches, allowed)
-    changes = fast_changes(chain, fit, model, at_nodes, partial(chain_likelihood, settings=settings))
-    found = with_steps(chain, fit, model, at_nodes, changes, points, settings)
+    found = Adjusted(chain, fit, *path_steps(chain, model, fit.weight / fit.noise_factor, known=steps)).judged(
+        SideSlip.of(trajectory, path_parameter))
     found, conflict = with_witness(walls, found, model) if walls is not None else (found, WitnessConflict(()))
-    found = with_undecided(with_denied_gaps(found, slip), changes, model, slip)
-    found = with_silences(found, model, at_patches, windows.correction[:, :2])
     found, model = with_upright_walls(walls, found, model) if walls is not None else (found, model)
-    unseen = unseen_steps(found.chain, model, found.fit, found.all_steps)
     found = replace(found, fit=with_plan_noise(found.chain, found.fit, model, points is not None))
-    correction = correction_at_patches(windows, found, at_patches, doubtful, settings, conflict, unseen, model)
+    correction = correction_at_patches(windows, found, at_patches, doubtful, settings, conflict, model)
     if correction.three_d:
         correction = with_shown_pitch(correction, _angle_sigma(trajectory, path_parameter, at_patches, settings))
-    steps = (*found.listed(partial(_along, trajectory, path_parameter)),
-             *conflict.listed(windows.chainage, windows.time))
-    correction = replace(correction, steps=tuple(sorted(steps, key=lambda step: step.place)))
+    listed = (*found.listed(partial(_along, trajectory, path_parameter)),
+              *conflict.listed(windows.chainage, windows.time))
+    correction = replace(correction, steps=tuple(sorted(listed, key=lambda step: step.place)))
     # Walls hold the survey where few markings let the start wander off.
     return with_distrusted(correction, trajectory, windows.beyond and found.chain.held is None, settings)
+
+
+_LIVELY = 4.0  # times the usual drift, which no step is to be taken for
+
+
+def _followed(chain: NodeChain, model: PoseErrorModel, allowed: np.ndarray, settings: CorrectionSettings,
+              progress: Progress) -> tuple[NodeChain, Fit, list[PlacedStep]]:
+    """The chain that follows the windows over the steps that they show, its fit, and the steps in plan.
+
+    Large steps first, so that they do not pass for a lively drift; then those that stand out from the drift as found.
+    """
+    weight = allowed * chain.normals.present
+    chain, _ = _with_changes(chain, model.scaled(_LIVELY), weight)
+    fit = robust_fit(chain, model, allowed, settings, progress)
+    model = model.scaled(fit.drift_factor).with_heading(fit.heading_factor)
+    chain, steps = _with_changes(chain, model, weight / max(fit.found_noise, LIMITS.min_noise))
+    again = reweighted_fit(chain, model, allowed, settings)[0]
+    return chain, replace(again, drift_factor=fit.drift_factor, heading_factor=fit.heading_factor), steps
+
+
+def _with_changes(chain: NodeChain, model: PoseErrorModel, weight: np.ndarray) -> tuple[NodeChain, list[PlacedStep]]:
+    """The chain that may change over the steps in plan and in height that it shows, and those in plan."""
+    axes = ((0, 1), (2,)) if chain.normals.three_d else ((0, 1),)
+    steps = [path_steps(chain, model, weight, some)[0] for some in axes]
+    return chain.with_fast(*(loose_changes(each, len(chain.nodes) - 1) for each in steps)), steps[0]
 
 
 def _angle_sigma(trajectory: Trajectory, path_parameter: np.ndarray, nodes: np.ndarray,

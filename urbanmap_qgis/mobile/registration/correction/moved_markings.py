@@ -12,10 +12,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ....wording import mark, say
-from .disagreements import CorrectionStep
 from .patch_corrections import Correction
 from .patch_status import BRIDGED, REGISTERED
 from .point_observations import PointObservations
+from .reference_steps import CorrectionStep
 
 MOVED = mark("part of the markings lies elsewhere")
 """Kind of a step: by so much the markings that do not fit lie off those that do."""

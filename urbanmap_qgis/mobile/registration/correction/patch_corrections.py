@@ -6,14 +6,13 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from ....estimation.chain import NodeChain, smooth_between
+from ....estimation.error_model import PoseErrorModel
+from ....estimation.latent_steps import UnseenSteps
 from ....wording import say
 from ...trajectory import Trajectory, gaps, jumps
 from ..records import WindowResults
-from .chain import NodeChain, smooth_between
-from .disagreements import CorrectionStep, Disagreements, either_side, hidden_factor, with_disagreements
-from .error_model import PoseErrorModel
-from .error_steps import UnseenSteps, short_gaps
-from .gauss_markov import path_parameters_of
+from ..trajectory_stops import path_parameters_of
 from .patch_status import (
     BRIDGED,
     DISTRUSTED,
@@ -26,6 +25,7 @@ from .patch_status import (
     plan_sigma,
     plan_sigma_of,
 )
+from .reference_steps import Adjusted, CorrectionStep
 from .robust_fit import Fit
 from .second_witness import WitnessConflict, settled_offset, wall_shares, with_conflict
 from .settings import CorrectionSettings
@@ -45,6 +45,7 @@ class PatchCorrectionLimits:
     min_of_windows: float = 0.6
     search_margin: float = 0.4  # m from the largest error looked for
     search_share: float = 0.02  # of the patches that may be there
+    fix: float = 20.0  # m without markings: a fix of the drive takes as much, and shows at an end
     determined: float = 0.5  # of the stated variance: an angle that keeps less of it was measured
 
 
@@ -156,33 +157,33 @@ def _scaled_in_plan(chain: NodeChain, covariance: np.ndarray, found: np.ndarray)
     return covariance * size[:, :, None] * size[:, None, :]
 
 
-def correction_at_patches(windows: WindowResults, found: Disagreements, at_patches: np.ndarray, doubtful: np.ndarray,
-                          settings: CorrectionSettings, conflict: WitnessConflict, unseen: UnseenSteps,
+def correction_at_patches(windows: WindowResults, found: Adjusted, at_patches: np.ndarray, doubtful: np.ndarray,
+                          settings: CorrectionSettings, conflict: WitnessConflict,
                           model: PoseErrorModel) -> Correction:
     """The correction at the patches with its quality."""
-    chain, fit, n = found.chain, found.fit, len(windows)
+    chain, fit, n, unseen = found.chain, found.fit, len(windows), found.unseen
     normals = chain.normals
     active = list(normals.active)
     value, covariance = np.zeros((n, 6)), np.full((n, 6, 6), np.nan)
-    value[:, active], spread = chain.interpolate(fit.state, fit.covariance, at_patches)
+    state = fit.state.copy()
+    state[:, :2, 0] -= found.changes(chain.nodes)
+    value[:, active], spread = chain.interpolate(state, fit.covariance, at_patches)
     floor = np.zeros(6)
     floor[:2], floor[2] = settings.reference_sigma**2, settings.reference_sigma_z**2
     covariance[np.ix_(range(n), active, active)] = spread + np.diag(floor[active])
     covariance[:, range(3), range(3)] += settings.rounding_variance
     piece = np.searchsorted(0.5 * (normals.path_parameter[1:] + normals.path_parameter[:-1]), at_patches)
     weight = np.where(normals.present, fit.weight, np.nan)[piece]
+    weight[found.changes(at_patches).any(axis=1)] *= 0.0  # of markings that lie elsewhere
     residual = windows.correction - value
-    wide = evidence_spans(normals, fit.weight, at_patches) > MOST_SPAN
+    spans = evidence_spans(normals, fit.weight, at_patches)
+    wide = spans > MOST_SPAN
     if chain.held is not None:  # where no markings are, walls hold the place, and the windows reach for others
         doubtful = doubtful & ~wide
     if windows.spread is not None:
         covariance[doubtful, :2, :2] += windows.spread[doubtful]
-    covariance[:, :2, :2] *= hidden_factor(found.hidden, at_patches)[:, None, None]
-    tested, between = short_gaps(chain, fit, found.hidden, at_patches)
-    covariance[:, :2, :2] += between
-    beside, variance = either_side(found.two_sided, chain.nodes, at_patches)
     against, either = conflict.mask_and_variance(windows.chainage)
-    covariance[:, :2, :2] += variance + either
+    covariance[:, :2, :2] += found.variance(at_patches) + either
     # whether markings fix a place does not hang on how far the reference may be off
     relative = plan_sigma(covariance[:, :2, :2] - np.diag(floor[:2]))
     by_unseen = unseen.followed(chain.shift_response(model, fit.weight / fit.noise_factor, at_patches), at_patches)
@@ -194,15 +195,15 @@ def correction_at_patches(windows: WindowResults, found: Disagreements, at_patch
     by_own_windows = np.minimum(plan_sigma_of(by_paint + by_walls), near_walls)
     status, reason = patch_statuses(by_own_windows, weight, relative, doubtful, settings.registered_sigma,
                                     settings.trusted_sigma)
-    wide &= ~tested & (near_walls > settings.registered_sigma)  # walls alone may fix the place
+    wide &= (spans > LIMITS.fix) & (near_walls > settings.registered_sigma)  # walls alone may fix the place
     status, reason = _bridged(status, reason, wide, say("no markings just before or after the patch"))
     if normals.met is not None:
         few = (normals.met[piece] < LEAST_MET) & (near_walls > settings.registered_sigma)
         status, reason = _bridged(status, reason, few, say("few of the markings here are in the reference"))
-    status, reason = with_disagreements(status, reason, found, at_patches, beside)
+    status, reason = found.statuses(status, reason, at_patches)
     status, reason = with_conflict(status, reason, against)
     return Correction(windows.time, windows.chainage, value, covariance, status, reason, weight, residual,
-                      normals.three_d, fit.drift_factor, fit.noise_factor, fit.heading_factor, chain.nodes, fit.state,
+                      normals.three_d, fit.drift_factor, fit.noise_factor, fit.heading_factor, chain.nodes, state,
                       normals.active, settings.time_weight,
                       walls=wall_shares(by_paint, by_walls) if chain.held else None, unseen=unseen,
                       unseen_variance=by_unseen, reference_sigma=settings.reference_sigma)

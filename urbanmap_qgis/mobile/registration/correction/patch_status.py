@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ....estimation.normal_equations import NormalEquations
 from ....wording import say
 from ..records import WindowResults
-from .normal_equations import NormalEquations
 from .settings import CorrectionSettings
 
 REGISTERED, BRIDGED, DISTRUSTED = range(3)
@@ -83,6 +83,12 @@ def evidence_spans(normals: NormalEquations, weight: np.ndarray, path_parameter:
     before = ends[np.searchsorted(evidence, path_parameter + half, side="right")]
     after = ends[np.searchsorted(evidence, path_parameter - half, side="left") + 1]
     return np.maximum(after - before, 0.0)
+
+
+def evidence_gaps(normals: NormalEquations) -> list[tuple[float, float]]:
+    """Path parameters between which no markings are, for more than `MOST_SPAN` m."""
+    seen = normals.path_parameter[normals.present]
+    return [(float(begin), float(end)) for begin, end in zip(seen[:-1], seen[1:]) if end - begin > MOST_SPAN]
 
 
 def own_information(normals: NormalEquations, weight: np.ndarray, path_parameter: np.ndarray,

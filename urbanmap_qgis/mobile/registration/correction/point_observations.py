@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ....estimation.normal_equations import PLANE, SPACE, NormalEquations
 from ...markings.records import MarkingPoints
 from ...trajectory import Trajectory, interpolate
 from ..matching.patch_sums import PatchSums, by_patch, sum_points
@@ -23,7 +24,6 @@ from ..start.patch_points import PatchPoints, thin_points
 from ..start.patches import Patches
 from ..start.reference import Reference
 from .ground_errors import HeightDifferences, ground_sigma, without_shared_errors
-from .normal_equations import PLANE, SPACE, NormalEquations
 
 
 @dataclass(frozen=True)

@@ -10,11 +10,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ....estimation.chain import NodeChain, NodeCurve
+from ....estimation.error_model import PoseErrorModel
+from ....estimation.normal_equations import NormalEquations
 from ....geometry.tolerances import LEAST_DIVISOR
 from ....progress import SILENT, Progress
-from .chain import NodeChain, NodeCurve
-from .error_model import PoseErrorModel
-from .normal_equations import NormalEquations
 from .settings import CorrectionSettings
 
 
@@ -203,24 +203,3 @@ def onto_points(points: Evaluate, chain: NodeChain, fit: Fit, model: PoseErrorMo
         if blur == settings.blurs[-1] and np.abs(fit.state - last)[:, :2, 0].max() < LIMITS.converged:
             break
     return chain, fit
-
-
-def adjusted_again(chain: NodeChain, fit: Fit, allowed: np.ndarray, points: Evaluate | None, model: PoseErrorModel,
-                   settings: CorrectionSettings) -> tuple[NodeChain, Fit]:
-    """The adjustment of a chain that may jump elsewhere, its drift as found before."""
-    again = reweighted_fit(chain, model, _at_pieces(chain, allowed), settings)[0]
-    again = replace(again, drift_factor=fit.drift_factor, heading_factor=fit.heading_factor)
-    if points is None:
-        return chain, again
-    return onto_points(points, chain, again, model, allowed, settings, SILENT, search=False)
-
-
-def chain_likelihood(chain: NodeChain, allowed: np.ndarray, model: PoseErrorModel,
-                     settings: CorrectionSettings) -> float:
-    """Log-likelihood of a model of the drift with a chain's evidence."""
-    return reweighted_fit(chain, model, _at_pieces(chain, allowed), settings)[1]
-
-
-def _at_pieces(chain: NodeChain, allowed: np.ndarray) -> np.ndarray:
-    """(n,) 0 or 1, whether the evidence of the pieces may be believed, from the nodes (k,)."""
-    return (np.interp(chain.normals.path_parameter, chain.nodes, allowed) > 0.5).astype(float)

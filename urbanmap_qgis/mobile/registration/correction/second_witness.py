@@ -9,15 +9,15 @@ from typing import Protocol
 
 import numpy as np
 
+from ....estimation.chain import NodeChain, NodeCurve, smooth_between
+from ....estimation.error_model import PITCH, PoseErrorModel
+from ....estimation.held_observations import HeldObservations
+from ....estimation.normal_equations import NormalEquations
 from ....geometry.tolerances import LEAST_DIVISOR
 from ....wording import mark, say
 from ..records import WindowResults
-from .chain import NodeChain, NodeCurve, smooth_between
-from .disagreements import CorrectionStep, Disagreements, hidden_steps
-from .error_model import PITCH, PoseErrorModel
-from .held_observations import HeldObservations
-from .normal_equations import NormalEquations
 from .patch_status import BRIDGED, MOST_SPAN, REGISTERED, evidence_spans, only_own_mode_fits
+from .reference_steps import Adjusted, CorrectionStep
 from .robust_fit import Fit
 from .settings import CorrectionSettings
 
@@ -125,8 +125,8 @@ class WitnessConflict:
         return steps
 
 
-def without_astray(found: Disagreements, observations: HeldObservations, model: PoseErrorModel,
-                   witness: Witness) -> Disagreements:
+def without_astray(found: Adjusted, observations: HeldObservations, model: PoseErrorModel,
+                   witness: Witness) -> Adjusted:
     """What was found without those markings that led it away from the walls by more than paint is ever moved.
 
     The walls decide where markings elsewhere agree with them: a slip by a dash, or chance where markings are bare, is
@@ -146,7 +146,7 @@ def without_astray(found: Disagreements, observations: HeldObservations, model: 
     run = np.cumsum(np.concatenate([[0], np.abs(np.diff(disagreeing.astype(int)))]))
     astray = disagreeing & np.isin(run, run[away])
     places = chain.nodes[astray]
-    steps = [step for step in found.steps if np.abs(places - chain.nodes[step.node]).min() > LIMITS.same]
+    steps = [step for step in found.steps if np.abs(places - step.begin).min() > LIMITS.same]
     near = np.abs(places[None] - 0.5 * (chain.nodes[1:] + chain.nodes[:-1])[:, None]).min(axis=1) <= LIMITS.same
     chain, weight = chain.with_fast(np.where(near, 0.0, chain.fast)), np.where(astray[chain.node], 0.0, fit.weight)
     state, covariance, _ = chain.solve(model, weight / fit.noise_factor)
@@ -182,7 +182,7 @@ def where_walls_want_it(walls: Witness, chain: NodeChain, fit: Fit, model: PoseE
     return only_own_mode_fits(windows, place, alone.covariance[node], settings)
 
 
-def with_witness(walls: Witness, found: Disagreements, model: PoseErrorModel) -> tuple[Disagreements, WitnessConflict]:
+def with_witness(walls: Witness, found: Adjusted, model: PoseErrorModel) -> tuple[Adjusted, WitnessConflict]:
     """What was found with what the walls say of it: where outlines want the survey."""
     walls, none = walls.fitted(found.chain, model, NodeCurve(found.chain, found.fit.state)), WitnessConflict(())
     wall_observations = None if walls.course is None else walls.about(walls.course, found.chain.normals.active)
@@ -196,7 +196,7 @@ def with_witness(walls: Witness, found: Disagreements, model: PoseErrorModel) ->
         marked = walls.among(partial(_marked, chain, fit))
         conflict = WitnessConflict(marked.stretches(NodeCurve(chain, fit.state)))
     if walls.alone:
-        silent = chain.unsoftened.softened(np.zeros(len(fit.weight)))
+        silent = chain.normals.softened(np.zeros(len(fit.weight)))
         chain = chain.with_normals(replace(silent, present=np.zeros(len(fit.weight), bool)))
     for _ in range(LIMITS.rounds):
         chain = chain.with_held(wall_observations)
@@ -205,11 +205,11 @@ def with_witness(walls: Witness, found: Disagreements, model: PoseErrorModel) ->
         wall_observations = walls.about(NodeCurve(chain, fit.state), chain.normals.active)
         if wall_observations is None:
             break
-    return replace(found, chain=chain, fit=fit, hidden=hidden_steps(chain, model, fit, MOST_SPAN)), conflict
+    return replace(found, chain=chain, fit=fit), conflict
 
 
-def with_upright_walls(walls: Witness, found: Disagreements,
-                       model: PoseErrorModel) -> tuple[Disagreements, PoseErrorModel]:
+def with_upright_walls(walls: Witness, found: Adjusted,
+                       model: PoseErrorModel) -> tuple[Adjusted, PoseErrorModel]:
     """What was found with the pitch that walls across the street tell, and the model with a pitch as much off as shown.
     """
     chain, fit, upright = found.chain, found.fit, walls.upright()

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ....estimation.error_model import AttitudeError, PoseErrorModel
+from ....estimation.gauss_markov import GaussMarkovDrift
 from ....settings.mobile import TrustSettings
-from .error_model import AttitudeError, PoseErrorModel
-from .gauss_markov import GaussMarkovDrift
 
 
 @dataclass(frozen=True)

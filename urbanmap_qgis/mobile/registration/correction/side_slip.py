@@ -6,13 +6,12 @@ apart where no markings show how the correction changes. Along the way nothing i
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from ....geometry.tolerances import SIGMA_OF_MAD
 from ...trajectory import Trajectory, path_chainage
-from .disagreements import Disagreements, NodeStep
 
 
 @dataclass(frozen=True)
@@ -26,8 +25,7 @@ class SideSlipLimits:
     rounds: int = 5
     soft: float = 2.5  # standard deviations from which a piece loses weight
     straight: float = 0.35  # radians that the path may turn by in a piece: 20 degrees
-    proof: float = 3.0  # standard deviations of a change across, and of what the slip leaves of it
-    unexplained: float = 0.5  # of the change across, that the slip leaves at least where it is not the drive's
+    other: float = 0.05  # share of slips with reasons of their own, which are a metre or so
 
 
 LIMITS = SideSlipLimits()
@@ -91,36 +89,30 @@ class SideSlip:
                          for values in (self.slip, self.heading))
         return slip[1] - slip[0], heading[1] - heading[0]
 
-    def denies(self, begin: float, end: float, step: NodeStep) -> bool:
-        """Whether a change of the correction between path parameters is not the drive's: it did not slip so."""
-        found = self.between(begin, end)
-        if found is None:
-            return False
-        right, slip, sigma = found
-        across = float(right @ step.change)
-        sigma = float(np.sqrt(sigma**2 + right @ step.covariance @ right))
-        left = abs(across + slip)  # a correction undoes the slip
-        return abs(across) > LIMITS.proof * sigma and left > max(LIMITS.proof * sigma,
-                                                                 LIMITS.unexplained * abs(across))
+    def share_of_reference(self, prior: float, begin: float, end: float, change: np.ndarray,
+                           covariance: np.ndarray) -> float:
+        """Probability that a change of the correction between path parameters is the reference's, with the slip there.
 
-    def driven(self, begin: float, end: float) -> float:
-        """m driven between two path parameters."""
-        first, last = np.interp([begin, end], self.path_parameter, self.chainage)
-        return float(last - first)
+        A drive's own change shows as a slip that the correction undoes; a few slips have other reasons.
 
-    def explains(self, begin: float, end: float, step: NodeStep) -> bool:
-        """Whether a change of the correction between path parameters is the drive's own: it slipped so.
-
-        Only a change that lies across the path for a good part shows in the slip.
+        Parameters
+        ----------
+        prior : of it by the markings alone.
+        change, covariance : (2,) m, (2, 2) m2.
         """
         found = self.between(begin, end)
-        if found is None:
-            return False
+        if found is None or not 0.0 < prior < 1.0:
+            return prior
         right, slip, sigma = found
-        across = float(right @ step.change)
-        left = abs(across + slip)  # a correction undoes the slip
-        return (abs(slip) > LIMITS.proof * sigma and abs(across) > LIMITS.unexplained * step.size
-                and left < max(LIMITS.proof * sigma, LIMITS.unexplained * abs(across)))
+        across, spread = float(right @ change), float(right @ covariance @ right)
+        drive, reference = (LIMITS.other * normal(slip, 1.0) + (1.0 - LIMITS.other) * normal(off, width) for off, width
+                            in ((slip + across, np.hypot(sigma, np.sqrt(spread))), (slip, sigma)))
+        return prior * reference / (prior * reference + (1.0 - prior) * drive)
+
+
+def normal(off: float, sigma: float) -> float:
+    """Density of a normal distribution."""
+    return float(np.exp(-0.5 * (off / sigma) ** 2) / (np.sqrt(2.0 * np.pi) * sigma))
 
 
 def _robust_line(design: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, float]:
@@ -133,13 +125,3 @@ def _robust_line(design: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, fl
         sigma = SIGMA_OF_MAD * float(np.median(np.abs(off)))
         weight = 1.0 / (1.0 + (off / max(LIMITS.soft * sigma, 1e-6)) ** 2)
     return usual, sigma
-
-
-def with_denied_gaps(found: Disagreements, slip: SideSlip) -> Disagreements:
-    """What was found, with the steps that hide in gaps and that the drive did not make: the reference has them."""
-    steps, nodes = list(found.steps), found.chain.nodes
-    for begin, end, step in found.hidden:
-        known = any(begin <= nodes[other.node] <= end for other in steps)
-        if found.hides(step) and not known and slip.denies(begin, end, step):
-            steps.append(step)
-    return replace(found, steps=sorted(steps, key=lambda step: step.node))

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.linalg import LinAlgError, solveh_banded
 
+from ....estimation.block_chain import solve_chain
 from ....geometry.tolerances import LEAST_DIVISOR
 from ..start.patch_points import PatchPoints
-from .block_chain import solve_chain
 from .ndt_match import rotation_matrix
 from .patch_sums import PatchSums
 

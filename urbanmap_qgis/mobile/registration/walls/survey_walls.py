@@ -10,7 +10,7 @@ from ....io.points.pointcloud import PointCloud
 from ....progress import SILENT, Progress
 from ....wording import say
 from ...trajectory import Trajectory
-from ..correction.gauss_markov import path_parameters_of
+from ..trajectory_stops import path_parameters_of
 from .facade_planes import facade_planes
 from .laser_walls import laser_walls
 from .outline_walls import WallEdges

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ....estimation.held_observations import HeldObservations
 from ....geometry.tolerances import SIGMA_OF_MAD
-from ..correction.held_observations import HeldObservations
 from .facade_planes import FacadePlanes, own_walls
 
 

@@ -13,10 +13,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ....estimation.chain import NodeChain, SettledChain, smooth_between
+from ....estimation.error_model import PoseErrorModel
+from ....estimation.held_observations import HeldObservations, OwnOffsets
 from ....geometry.tolerances import SIGMA_OF_MAD
-from ..correction.chain import NodeChain, SettledChain, smooth_between
-from ..correction.error_model import PoseErrorModel
-from ..correction.held_observations import HeldObservations, OwnOffsets
 from .facade_planes import FacadePlanes
 from .outline_walls import LIMITS as OUTLINES
 from .outline_walls import MatchedWalls, WallEdges

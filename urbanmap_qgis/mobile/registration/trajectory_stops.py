@@ -1,9 +1,4 @@
-"""How the error of a survey's trajectory drifts: a Gauss-Markov process over path and time.
-
-The error's rate wanders and forgets itself within a length (an integrated Ornstein-Uhlenbeck process), on top of a
-small random walk: smooth where it is observed, and nearly rigid with growing uncertainty where it is not. It runs
-over a path parameter: chainage, to which time adds a little, so that a standing vehicle drifts on slowly.
-"""
+"""What a trajectory wanders while the vehicle stands: its own error, as the vehicle does not move."""
 
 from __future__ import annotations
 
@@ -11,8 +6,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ....geometry.tolerances import LEAST_DIVISOR
-from ...trajectory import Trajectory, jumps, path_chainage
+from ...estimation.gauss_markov import PathLinks
+from ...geometry.tolerances import LEAST_DIVISOR
+from ..trajectory import Trajectory, jumps, path_chainage
 
 STILL, CREPT = 0.03, 0.25
 """m that a vehicle moves while it counts as standing (standard deviation), and more of it as a share of what its
@@ -28,67 +24,6 @@ SLOW = 1.5
 stop it may wander there, unseen. Half of that is taken for its error, with half of it as standard deviation."""
 
 
-@dataclass(frozen=True)
-class GaussMarkovDrift:
-    """Sizes of the process for dx, dy, dz (m) and droll, dpitch, dheading (degrees).
-
-    Attributes
-    ----------
-    rate_sigma : (6,) standard deviation of the drift, per metre of path parameter.
-    correlation_length : m of path parameter in which the rate forgets itself.
-    random_walk : (6,) random walk, in the root of a metre of path parameter.
-    initial_sigma : (6,) standard deviation of the error as a whole.
-    time_weight : m/s; a second counts as so many metres driven.
-    stop_walk : m in the root of a second: random walk of the place while the vehicle stands.
-    """
-
-    rate_sigma: np.ndarray
-    correlation_length: float
-    random_walk: np.ndarray
-    initial_sigma: np.ndarray
-    time_weight: float
-    stop_walk: float
-
-    def scaled(self, factor: float) -> GaussMarkovDrift:
-        """The same with drift and random walk `factor` times as large."""
-        return replace(self, rate_sigma=self.rate_sigma * factor, random_walk=self.random_walk * factor)
-
-    def steps(self, path_parameter: np.ndarray, stopped: np.ndarray, jump: np.ndarray,
-              active: tuple[int, ...], fast: np.ndarray | float = 0.0,
-              stop_variance: np.ndarray | None = None,
-              fast_up: np.ndarray | float = 0.0) -> tuple[np.ndarray, np.ndarray]:
-        """Transitions (k, 2, 2) of (error, rate) and their precisions (k, d, 2, 2) between k + 1 path parameters.
-
-        Parameters
-        ----------
-        stopped : (k,) s that the vehicle stands in each step.
-        jump : (k,) m by which the trajectory jumps: the error may jump by so much too, and angles by a degree a metre.
-        fast : (k,) m by which the error in plan changes in each step where it does so faster than drift (a re-fix).
-        stop_variance : (k,) m2 of the place in the time that the vehicle stands, where its movement is known.
-        fast_up : (k,) m by which the error in height changes faster than drift.
-        """
-        place = np.isin(active, (0, 1, 2))
-        standing = self.stop_walk**2 * stopped if stop_variance is None else stop_variance
-        loose = np.where(place, standing[:, None], 0.0) + jump[:, None] ** 2
-        for axes, change in (((0, 1), fast), ((2,), fast_up)):
-            loose = loose + np.isin(active, axes) * np.broadcast_to(change, len(jump))[:, None] ** 2
-        h = np.maximum(np.diff(path_parameter), 1e-6)[:, None]
-        rate2 = (self.rate_sigma[list(active)] ** 2)[None, :]
-        ratio = h / self.correlation_length
-        keep = np.exp(-ratio)
-        transition = np.zeros((len(h), 2, 2))
-        transition[:, 0, 0], transition[:, 1, 1] = 1.0, keep[:, 0]
-        transition[:, 0, 1] = self.correlation_length * -np.expm1(-ratio[:, 0])
-        # Of short steps by the series, which the closed form loses in rounding.
-        spread = np.where(ratio < 0.02, 2 * ratio**3 / 3 - ratio**4 / 2, 2 * ratio - 3 + 4 * keep - keep**2)
-        error = rate2 * self.correlation_length**2 * spread + (self.random_walk[list(active)] ** 2)[None, :] * h + loose
-        both = rate2 * self.correlation_length * np.expm1(-ratio) ** 2
-        rates = rate2 * -np.expm1(-2 * ratio)
-        determinant = error * rates - both**2
-        precision = np.stack([np.stack([rates, -both], -1), np.stack([-both, error], -1)], -2)
-        return transition, precision / determinant[:, :, None, None]
-
-
 def path_parameters_of(trajectory: Trajectory, time_weight: float) -> np.ndarray:
     """Path parameters (n,) at the trajectory's epochs, m."""
     return path_chainage(trajectory) + time_weight * (trajectory.time - trajectory.time[0])
@@ -101,25 +36,12 @@ def stop_steps(trajectory: Trajectory, time: np.ndarray) -> np.ndarray:
     return np.diff(np.interp(time, trajectory.time, stopped))
 
 
-@dataclass(frozen=True)
-class StopMovement:
-    """What a standing vehicle's trajectory wanders is its error: the vehicle does not move.
-
-    Attributes
-    ----------
-    moved : (k, 3) m, by which the reported place wanders in the stops between k + 1 times.
-    variance : (k,) m2, of what the vehicle may have moved itself there.
-    """
-
-    moved: np.ndarray
-    variance: np.ndarray
-
-    @classmethod
-    def of(cls, trajectory: Trajectory, time: np.ndarray) -> StopMovement:
-        """Of a trajectory between times (k + 1,)."""
-        wandered, spread = still_wandering(trajectory), standing_variance(trajectory)
-        return cls(np.diff(np.column_stack([np.interp(time, trajectory.time, axis) for axis in wandered.T]), axis=0),
-                   np.diff(np.interp(time, trajectory.time, spread)))
+def links_along(trajectory: Trajectory, time: np.ndarray) -> PathLinks:
+    """What a trajectory did between times (k + 1,), s."""
+    wandered, spread = still_wandering(trajectory), standing_variance(trajectory)
+    moved = np.diff(np.column_stack([np.interp(time, trajectory.time, axis) for axis in wandered.T]), axis=0)
+    return PathLinks(stop_steps(trajectory, time), jump_steps(trajectory, time), moved,
+                     np.diff(np.interp(time, trajectory.time, spread)))
 
 
 def _goes_ahead(trajectory: Trajectory) -> np.ndarray:

@@ -7,16 +7,15 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ....geometry.tolerances import LEAST_SQUARE
-from ...trajectory import Trajectory
-from ..matching.block_chain import ChainSolution, solve_chain
+from ..geometry.tolerances import LEAST_SQUARE
+from .block_chain import ChainSolution, solve_chain
 from .error_model import PoseErrorModel
-from .gauss_markov import StopMovement, jump_steps, stop_steps
-from .held_observations import HeldObservations, HeldSolution, HeldSystem
+from .gauss_markov import PathLinks
+from .held_observations import HeldObservations, HeldSystem
+from .latent_steps import StepEquations
 from .normal_equations import NormalEquations
 
 _SINGULAR = 1e-6  # ratio of information below which a direction is not observed
-_STEP_SOFTNESS = 0.2  # share of the information that pieces on a step keep
 _NO_WEIGHT = 0.02  # weight that stands for evidence that is not believed at all
 
 
@@ -61,25 +60,19 @@ class SettledChain:
 class NodeChain:
     """The normal equations: nodes along the path, the observations on the node next to each piece."""
 
-    def __init__(self, normals: NormalEquations, nodes: np.ndarray, trajectory: Trajectory, path_parameter: np.ndarray,
-                 fast: np.ndarray, fast_up: np.ndarray | float = 0.0):
-        self.nodes, self.fast, self.fast_up = nodes, fast, fast_up
+    def __init__(self, normals: NormalEquations, nodes: np.ndarray, links: PathLinks,
+                 fast: np.ndarray | float = 0.0, fast_up: np.ndarray | float = 0.0):
+        self.nodes, self.links = nodes, links
+        self.fast, self.fast_up = (np.broadcast_to(change, len(nodes) - 1) for change in (fast, fast_up))
         self.held: HeldObservations | None = None
         self._held_sums: tuple[np.ndarray, np.ndarray] | None = None
         self._upright_sums: tuple[np.ndarray, np.ndarray] | None = None
-        rising = np.concatenate([[True], np.diff(path_parameter) > 0])
-        time = np.interp(nodes, path_parameter[rising], trajectory.time[rising])
-        self.stopped, self.jump = stop_steps(trajectory, time), jump_steps(trajectory, time)
-        self.stops = StopMovement.of(trajectory, time)
         self._start(normals)
 
     def _start(self, normals: NormalEquations) -> None:
-        self.size, self.unsoftened = len(normals.active), normals
+        self.size, self.normals = len(normals.active), normals
         self._held: tuple[PoseErrorModel, _Prior] | None = None
         self.node, self.ahead = self._next_node(normals.path_parameter)
-        moving = np.concatenate([self.fast[:1], np.maximum(self.fast[1:], self.fast[:-1]), self.fast[-1:]]) > 0
-        # Where the error changes fast its own linearisation is worth less.
-        self.normals = normals.softened(np.where(moving[self.node], _STEP_SOFTNESS, 1.0)) if moving.any() else normals
 
     def fast_near(self, path_parameter: np.ndarray, extent: float) -> np.ndarray:
         """Mask (n,) of path parameters within `extent` m of a place where the error changes fast."""
@@ -94,22 +87,19 @@ class NodeChain:
         other._start(normals)
         return other
 
-    def with_fast(self, fast: np.ndarray) -> NodeChain:
-        """The same where the error changes fast elsewhere, (k - 1,) m."""
+    def with_fast(self, fast: np.ndarray, fast_up: np.ndarray | float = 0.0) -> NodeChain:
+        """The same where the error changes fast elsewhere, (k - 1,) m in plan and in height."""
         other = copy(self)
-        other.fast = fast
-        other._start(self.unsoftened)
+        other.fast, other.fast_up, other._held = fast, np.broadcast_to(fast_up, len(fast)), None
         return other
 
     def between(self, first: int, last: int) -> NodeChain:
         """The nodes from one number to another alone, with the evidence next to them, and nothing held."""
         other, steps = copy(self), slice(first, last)
-        other.nodes, other.fast = self.nodes[first:last + 1], self.fast[steps]
-        other.fast_up = self.fast_up[steps] if isinstance(self.fast_up, np.ndarray) else self.fast_up
-        other.stopped, other.jump = self.stopped[steps], self.jump[steps]
-        other.stops = StopMovement(self.stops.moved[steps], self.stops.variance[steps])
+        other.nodes, other.links = self.nodes[first:last + 1], self.links.select(steps)
+        other.fast, other.fast_up = self.fast[steps], self.fast_up[steps]
         other.held, other._held_sums, other._upright_sums = None, None, None
-        other._start(self.unsoftened.select((self.node >= first) & (self.node <= last)))
+        other._start(self.normals.select((self.node >= first) & (self.node <= last)))
         return other
 
     def with_held(self, observations: HeldObservations | None) -> NodeChain:
@@ -125,12 +115,6 @@ class NodeChain:
         """
         other = copy(self)
         other._upright_sums = observations.on_nodes(*self._next_node(observations.path_parameter), len(self.nodes))
-        return other
-
-    def hardened(self) -> NodeChain:
-        """The same with all the information of pieces where the error changes fast, so that chains can be compared."""
-        other = copy(self)
-        other.normals = self.unsoftened
         return other
 
     def _next_node(self, path_parameter: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -199,7 +183,7 @@ class NodeChain:
             bare = copy(self)
             bare.normals = replace(self.normals, gradient=np.zeros_like(self.normals.gradient),
                                    place=np.broadcast_to(shift, self.normals.place.shape))
-            bare._held, bare.stops = None, StopMovement(np.zeros_like(self.stops.moved), self.stops.variance)
+            bare._held, bare.links = None, replace(self.links, moved=np.zeros_like(self.links.moved))
             bare._upright_sums = None
             sides.append(bare._equations(model, weight)[1].ravel())
         states = self._held_system(model, weight).response(np.column_stack(sides))
@@ -207,33 +191,39 @@ class NodeChain:
                     for axis in range(2)]
         return np.stack(followed, axis=2)
 
-    def disturbances(self, model: PoseErrorModel, weight: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """How each step of the chain pulls at the model: (k - 1, p), with covariances (k - 1, p, p) where it holds.
+    def step_equations(self, model: PoseErrorModel, weight: np.ndarray,
+                       axes: tuple[int, ...] = (0, 1)) -> StepEquations:
+        """What the evidence says of steps of the two parameters `axes` between the nodes that no drift explains.
 
-        The smoothed disturbances times their precision (de Jong and Penzer 1998): of a state with p = 2 d values, error
-        and rate in turn. A jump that the model does not know stands out in them, wherever the evidence is.
+        A step shifts all the evidence behind it; what is held, and fast changes, do not count. With one of `axes` in
+        height the other direction is without evidence.
         """
-        k, d = len(self.nodes), self.size
-        solution: ChainSolution | HeldSolution
-        if self.held is None:
-            solution = self._solved(model, weight)[0]
-            lagged = -solution.gain @ solution.covariance[1:]
-        else:
-            solution = self._held_system(model, weight).solved()
-            lagged = solution.lagged
-        state = solution.state
-        transition, small = self._steps(model)
-        whole, precision = np.zeros((2, k - 1, d, 2, d, 2))
-        axis = np.arange(d)
-        whole[:, axis, :, axis, :], precision[:, axis, :, axis, :] = (np.moveaxis(np.broadcast_to(
-            part, small.shape), 1, 0) for part in (transition, small))
-        whole, precision = (part.reshape(k - 1, 2 * d, 2 * d) for part in (whole, precision))
-        before, after = solution.covariance[:-1], solution.covariance[1:]
-        carried = whole @ lagged
-        found = state[1:] - np.einsum("kij,kj->ki", whole, state[:-1])
-        found[:, ::2] -= self.stop_changes()
-        spread = after + whole @ before @ np.swapaxes(whole, 1, 2) - carried - np.swapaxes(carried, 1, 2)
-        return np.einsum("kij,kj->ki", precision, found), precision - precision @ spread @ precision
+        bare = self.with_fast(np.zeros(len(self.nodes) - 1))
+        k, p, e = len(self.nodes), 2 * self.size, len(self.nodes) - 1
+        diagonal, right, prior = bare._equations(model, weight)
+        information, pull = np.zeros((k, self.size, 2, 2)), np.zeros((k, 2))
+        weighted = self.normals.information * weight[:, None, None]
+        steps = np.stack([np.ones(len(self.ahead)), self.ahead], axis=1)
+        for side, axis in enumerate(axes):
+            np.add.at(information[..., side], self.node, weighted[:, :, axis, None] * steps[:, None])
+            np.add.at(pull[:, side], self.node, self.normals.normal_vector[:, axis] * weight)
+        shifted = np.zeros((k, p, e, 2))
+        flat = information.reshape(k, p, 2)
+        for number in range(e):
+            shifted[number + 1:, :, number] = -flat[number + 1:]
+        sides = np.concatenate([shifted.reshape(k, p, -1), right.reshape(k, p, 1)], axis=2)
+        made = solve_chain(diagonal.reshape(k, p, p), prior.ahead.reshape(e, p, p), sides).state
+        follows, state = made[..., :-1].reshape(k, p, e, 2), made[..., -1]
+        own = np.zeros((k, 2, 2))
+        for side in range(len(axes)):
+            own[:, side, :len(axes)] = information[:, list(axes), 0, side]
+        behind = np.arange(e)
+        whole = _behind(own)[np.maximum(behind[:, None], behind)]
+        left = _behind(np.einsum("kpq,kpfr->kfqr", flat, follows, optimize=True))
+        gap = np.diff(self.nodes)
+        marked = np.where(np.einsum("kii->k", own) > 0, gap.mean(), 0.0)
+        return StepEquations(0.5 * (self.nodes[1:] + self.nodes[:-1]), gap, np.cumsum(marked)[:-1], _behind(marked),
+                             _behind(pull - np.einsum("kpq,kp->kq", flat, state)), whole + left)
 
     def _prior_of(self, model: PoseErrorModel) -> _Prior:
         """What a model says of the nodes; held for the next call, as the same model is solved with many weights."""
@@ -260,8 +250,7 @@ class NodeChain:
 
     def _steps(self, model: PoseErrorModel) -> tuple[np.ndarray, np.ndarray]:
         """Transitions and precisions (k - 1, d, 2, 2) of a model between the nodes."""
-        return model.steps(self.nodes, self.stopped, self.jump, self.normals.active, self.fast, self.stops.variance,
-                           self.fast_up)
+        return model.steps(self.nodes, self.links, self.normals.active, self.fast, self.fast_up)
 
     def stop_changes(self) -> np.ndarray:
         """(k - 1, d) m, by which the correction changes between the nodes as the vehicle stands and is reported not to.
@@ -269,7 +258,7 @@ class NodeChain:
         changes = np.zeros((len(self.nodes) - 1, self.size))
         for number, parameter in enumerate(self.normals.active):
             if parameter < 3:
-                changes[:, number] = -self.stops.moved[:, parameter]
+                changes[:, number] = -self.links.moved[:, parameter]
         return changes
 
     def unconstrained_likelihood(self, weight: np.ndarray, allowed: np.ndarray) -> float:
@@ -301,6 +290,11 @@ class NodeChain:
         spread = (blocks[:, :, 0, :, 0] + lever_arm * (blocks[:, :, 0, :, 1] + blocks[:, :, 1, :, 0])
                   + lever_arm**2 * blocks[:, :, 1, :, 1])
         return value, spread
+
+
+def _behind(values: np.ndarray) -> np.ndarray:
+    """(k - 1, ...) sums of values (k, ...) of all nodes behind each step."""
+    return np.cumsum(values[::-1], axis=0)[::-1][1:]
 
 
 def nodes_along(path_parameter: np.ndarray, length: float) -> np.ndarray:

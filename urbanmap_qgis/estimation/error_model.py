@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .gauss_markov import GaussMarkovDrift
+from .gauss_markov import GaussMarkovDrift, PathLinks
 
 ANGLES = (3, 4, 5)
 PITCH = ANGLES[1]
@@ -96,15 +96,12 @@ class PoseErrorModel:
         place[list(ANGLES)] = self.attitude.start()
         return place[list(active)]
 
-    def steps(self, path_parameter: np.ndarray, stopped: np.ndarray, jump: np.ndarray, active: tuple[int, ...],
-              fast: np.ndarray | float = 0.0,
-              stop_variance: np.ndarray | None = None,
-              fast_up: np.ndarray | float = 0.0) -> tuple[np.ndarray, np.ndarray]:
+    def steps(self, path_parameter: np.ndarray, links: PathLinks, active: tuple[int, ...],
+              fast: np.ndarray | float = 0.0, fast_up: np.ndarray | float = 0.0) -> tuple[np.ndarray, np.ndarray]:
         """Transitions and precisions (k - 1, d, 2, 2) between k nodes, see `GaussMarkovDrift.steps`."""
-        transition, precision = self.place.steps(path_parameter, stopped, jump, active, fast, stop_variance,
-                                                  fast_up)
+        transition, precision = self.place.steps(path_parameter, links, active, fast, fast_up)
         transition = np.repeat(transition[:, None], len(active), axis=1)
-        angle_transition, angle_precision = self.attitude.steps(path_parameter, jump)
+        angle_transition, angle_precision = self.attitude.steps(path_parameter, links.jump)
         for number, parameter in enumerate(active):
             if parameter in ANGLES:
                 transition[:, number] = angle_transition[:, parameter - ANGLES[0]]

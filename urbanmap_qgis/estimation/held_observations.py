@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.sparse import coo_matrix, csr_matrix
 
-from ..matching.offset_chain import OffsetChain, touched_states
+from .offset_chain import OffsetChain, touched_states
 
 _COLUMNS = 256
 """Right sides that are solved for at once: memory grows with them and the path alone."""

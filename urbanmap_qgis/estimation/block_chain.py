@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.linalg.lapack import dpotrf, dtrtri
 
-from ....wording import say
+from ..wording import say
 
 
 @dataclass(frozen=True)

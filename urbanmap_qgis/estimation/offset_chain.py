@@ -14,7 +14,7 @@ import numpy as np
 from scipy.linalg.lapack import dpotrf, dtrtri
 from scipy.sparse import csr_matrix
 
-from ....wording import say
+from ..wording import say
 
 
 @dataclass(frozen=True)
