@@ -14,7 +14,6 @@ from scripts.bench_table import print_table
 from scripts.image_kinds import KINDS
 from scripts.score_image_kinds import GRADES, painted, searched
 from urbanmap_qgis.aerial.markings.marking_verdict import marking_verdict
-from urbanmap_qgis.aerial.markings.road_markings import MarkingSettings
 from urbanmap_qgis.progress import SILENT
 from urbanmap_qgis.samplecity import write
 from urbanmap_qgis.samplecity.truth.stage import write_truth
@@ -36,6 +35,6 @@ def image_kinds_table(size: float = 120.0, seed: int = 31) -> None:
             found, mask = searched(photograph, kind, city)
             spent = time.process_time() - start
             recall, stray = photograph.score(mask)
-            grade = GRADES[marking_verdict(found, MarkingSettings().contrast).grade]
+            grade = GRADES[marking_verdict(found).grade]
             rows.append((name, recall, round(stray), grade, spent))
     print_table(f"Road markings by kind of image, sample city of {size:g} m, seed {seed}", HEADER, rows)

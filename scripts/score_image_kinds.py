@@ -15,22 +15,18 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-import cv2
 import numpy as np
 import rasterio
 import shapely
 from rasterio.features import rasterize
-from rasterio.transform import Affine
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from scripts.image_kinds import KINDS, ImageKind  # noqa: E402
-from scripts.judges.lane_tiles import FAR, NEAR  # noqa: E402
-from scripts.score_markings import LABELS, burnt, read_labels  # noqa: E402
+from scripts.score_markings import LABELS, burnt, near, read_image, read_labels, write_image  # noqa: E402
 from urbanmap_qgis.aerial.markings.marking_files import MarkingResult, markings_from_orthophoto  # noqa: E402
 from urbanmap_qgis.aerial.markings.marking_verdict import marking_verdict  # noqa: E402
-from urbanmap_qgis.aerial.markings.road_markings import MarkingSettings  # noqa: E402
 from urbanmap_qgis.io.pages.report import BAD, GOOD, LOOK  # noqa: E402
 
 DEVELOPED = ("drift B", "drift D", "us 0", "us 12", "uav 1", "city")
@@ -84,20 +80,11 @@ class Photograph:
                           tuple(line for line in inside if len(line) > 15))
 
 
-def _read(path: Path) -> np.ndarray:
-    return cv2.imdecode(np.fromfile(path, np.uint8), cv2.IMREAD_COLOR)[..., ::-1]
-
-
-def near(mask: np.ndarray, metres: float, pixel: float) -> np.ndarray:
-    """What lies within so many metres of a mask, bool."""
-    return cv2.distanceTransform((~mask).astype(np.uint8), cv2.DIST_L2, 5) * pixel <= metres if mask.any() else mask
-
-
 def junction(folder: Path, site: str) -> Photograph:
     """A drone photograph with lane polygons drawn on the paint: sides shared by two lanes, and what lies more than 3 m
     off the lanes."""
     pixel = SITES[site]
-    image = _read(folder / "drift" / f"Site{site}.jpg")
+    image = read_image(folder / "drift" / f"Site{site}.jpg")
     held = json.loads((folder / "drift" / "roi.json").read_text(encoding="utf-8"))[f"Site {site}"]
     lanes, roads = [], []
     for arm, group in held.items():
@@ -116,30 +103,30 @@ def junction(folder: Path, site: str) -> Photograph:
 def labelled(folder: Path, name: str) -> Photograph:
     """A photograph with labelled markings: labelled pixels; what lies in the carriageway 0.3 m and more off them."""
     labels = read_labels(LABELS / f"{name}.geojson")
-    image = _read(folder / labels.image)
-    inside = burnt([labels.carriageway], image.shape[:2])
+    image = read_image(folder / labels.image)
+    inside = burnt([labels.area], image.shape[:2])
     truth = burnt(labels.markings, image.shape[:2]) & inside
     return Photograph(image, labels.pixel, inside & ~near(truth, 0.3, labels.pixel), 2.2 * labels.pixel, truth)
 
 
 def marked(folder: Path, name: str) -> Photograph:
     """A drone photograph of which some markings are labelled: recall alone."""
-    image = _read(folder / "uav_markings" / f"{name}.JPG")
+    image = read_image(folder / "uav_markings" / f"{name}.JPG")
     held = json.loads((folder / "uav_markings" / f"{name}.json").read_text(encoding="utf-8"))["shapes"]
     truth = burnt([shapely.Polygon(item["points"]).buffer(0) for item in held], image.shape[:2])
     return Photograph(image, 0.03, np.zeros_like(truth), 0.066, truth)
 
 
 def sunlit(folder: Path, tile: int) -> Photograph:
-    """A sunlit aerial tile of which the lanes' centre lines are known, see `judges/lane_tiles.py`."""
-    path = folder / "us_tiles" / f"tile_{tile}.jpg"
-    image = _read(path)
-    with rasterio.open(path) as source:
-        place = source.transform
-    held = json.loads((folder / "us_tiles" / f"lanes_{tile}.geojson").read_text(encoding="utf-8"))
-    lanes = rasterize([(shapely.geometry.shape(item["geometry"]), 1) for item in held["features"]], image.shape[:2],
-                      transform=place) > 0
-    return Photograph(image, place.a, ~near(lanes, FAR, place.a), NEAR, lanes)
+    """The largest labelled crop of a sunlit tile and 25 m round it; what lies in the crop and 0.3 m off all paint."""
+    labels = read_labels(LABELS / f"us_{tile}.geojson")
+    image = read_image(folder / labels.image)
+    crop = max(shapely.get_parts(labels.area), key=shapely.area)
+    inside, truth = burnt([crop], image.shape[:2]), burnt(labels.markings, image.shape[:2])
+    left, top, right, bottom = (int(end) for end in crop.bounds)
+    place = np.s_[max(top - 200, 0):bottom + 200, max(left - 200, 0):right + 200]
+    outside = (inside & ~near(truth, 0.3, labels.pixel))[place]
+    return Photograph(np.ascontiguousarray(image[place]), labels.pixel, outside, 0.3, (truth & inside)[place])
 
 
 def crossing(folder: Path) -> Photograph:
@@ -189,10 +176,7 @@ def searched(photograph: Photograph, kind: ImageKind, work: Path) -> tuple[Marki
     """What is found in a kind of a photograph, and the mask on its pixels."""
     image = kind.change(photograph.image, photograph.pixel)
     pixel = photograph.pixel * kind.pixel_factor
-    with rasterio.open(work / "image.tif", "w", driver="GTiff", width=image.shape[1], height=image.shape[0], count=3,
-                       dtype="uint8", transform=Affine(pixel, 0, 0, 0, -pixel, image.shape[0] * pixel),
-                       crs="EPSG:6677", photometric="RGB") as target:
-        target.write(np.moveaxis(image, -1, 0))
+    write_image(work / "image.tif", image, pixel)
     found = markings_from_orthophoto(work / "image.tif", work / "mask.tif")
     with rasterio.open(work / "mask.tif") as source:
         return found, source.read(1) > 0
@@ -213,7 +197,7 @@ def main() -> None:
             with tempfile.TemporaryDirectory() as work:
                 found, mask = searched(photograph, KINDS[kind], Path(work))
             recall, stray = photograph.score(mask)
-            grade = GRADES[marking_verdict(found, MarkingSettings().contrast).grade]
+            grade = GRADES[marking_verdict(found).grade]
             print(f"{name:9s} {kind:21s} recall {recall:.3f} stray {stray:5.0f} m2/ha {grade}", flush=True)
 
 

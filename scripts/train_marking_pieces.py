@@ -1,16 +1,21 @@
 """Train the model that tells road markings from what is as bright and narrow, from made-up scenes alone.
 
-    python scripts/train_marking_pieces.py [--scenes 108] [--first 3000] [--trees 120] [--figures FILE] [--output FILE]
+    python scripts/train_marking_pieces.py [--scenes 120] [--first 3000] [--cells FILE] [--output FILE]
 
-No photograph is used. A fifth of the scenes is held out: the model is calibrated on them with as much paint as they
-have. With --figures what was told of the scenes is kept in a file, or read from it. Takes about five minutes.
+Needs the package catboost besides those of the program. No photograph is used. Trees of the first round judge each cell
+by itself; those of the second also know what the first, trained on other scenes, says of the company. A fifth of the
+scenes is held out: the model is calibrated on them. With --cells the figures of the scenes are kept in a file, or read
+from it. Takes about ten minutes.
 """
 
 from __future__ import annotations
 
 import argparse
+import json
+import pickle
 import sys
-from dataclasses import dataclass, replace
+import tempfile
+from dataclasses import dataclass
 from pathlib import Path
 
 import cv2
@@ -20,21 +25,30 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from scripts.marking_scenes.scene import MadeScene, make_marking_scene  # noqa: E402
-from urbanmap_qgis.aerial.markings.marking_filter import figures_of_pieces, judged_pieces  # noqa: E402
-from urbanmap_qgis.aerial.markings.paint_model import FILE, PaintModel  # noqa: E402
+from urbanmap_qgis.aerial.markings.marking_filter import likely_grid, of_pieces, paint_image  # noqa: E402
+from urbanmap_qgis.aerial.markings.marking_pieces import MarkingPieces  # noqa: E402
+from urbanmap_qgis.aerial.markings.paint_figures import (  # noqa: E402
+    PaintImage,
+    StrokeCells,
+    company_figures,
+    stroke_figures,
+)
+from urbanmap_qgis.aerial.markings.paint_model import FILE, PaintModel, PaintTrees  # noqa: E402
 from urbanmap_qgis.aerial.markings.road_markings import MarkingSettings, candidates_of  # noqa: E402
 from urbanmap_qgis.aerial.markings.sampled_levels import sampled_levels  # noqa: E402
 from urbanmap_qgis.progress import SILENT  # noqa: E402
 
-DEPTH, BINS, RATE, CALM, SHARE = 5, 48, 0.1, 20.0, 0.3
-"""Questions of a tree; steps of a figure; how much of a tree counts; what its leaves' sums are damped by; share of the
-cells that each tree sees."""
+ROUNDS = (120, 5), (150, 5)
+"""Trees and questions of a tree, for both rounds."""
 
 PAINT, BARE = 0.6, 0.2
 """Shares of a cell's bright pixels on paint from which it is paint, and up to which it is none."""
 
-MOST = 3000, 5000
-"""Cells of a scene that are taken, of paint and of none."""
+MOST = 6000
+"""Cells of a scene that are taken, chosen by chance."""
+
+LEAST = 0.03
+"""What the first round says of a cell that the second is asked for."""
 
 HELD = 5
 """One scene of so many is held out."""
@@ -49,128 +63,113 @@ class ImagePieces:
 
     def read(self, rows: slice, columns: slice) -> tuple[np.ndarray, np.ndarray, None]:
         """Bands and where ground is seen."""
-        bands = self._bands[:, rows, columns]
+        bands = np.ascontiguousarray(self._bands[:, rows, columns])
         return bands, np.ones(bands.shape[1:], bool), None
 
 
-@dataclass(frozen=True)
-class Cells:
-    """Figures (n, m) of cells by names (m,), the share of their bright pixels on paint, and how many cells of their
-    scene each stands for."""
+@dataclass
+class SceneCells:
+    """What is known of a scene: its image, pieces and cells, `near` figures by name, which of the pieces' pixels are
+    paint (n,), and the same as shares of cells (k,); `likely` (k,) as a model that does not know the scene says."""
 
-    names: list[str]
-    figures: np.ndarray
+    seen: PaintImage
+    pieces: MarkingPieces
+    cells: StrokeCells
+    near: dict[str, np.ndarray]
+    right: np.ndarray
     share: np.ndarray
-    weight: np.ndarray
+    likely: np.ndarray | None = None
+
+    @classmethod
+    def of(cls, scene: MadeScene) -> SceneCells:
+        """Of a scene."""
+        settings, image = MarkingSettings(), ImagePieces(scene.image, scene.pixel)
+        bands, seen, _ = image.read(slice(None), slice(None))
+        found = candidates_of(bands, seen, None, scene.pixel, sampled_levels(image, settings, SILENT), settings)
+        drawn, pieces = paint_image(found, scene.pixel, settings.cleaning)
+        cells = StrokeCells.of(drawn, pieces.inside)
+        near = stroke_figures(drawn, cells, pieces.inside, found.threshold.take(pieces.inside), pieces)
+        right = (cv2.dilate(scene.paint, np.ones((3, 3), np.uint8)) > 0.4).take(pieces.inside)
+        return cls(drawn, pieces, cells, {name: values.astype(np.float32) for name, values in near.items()}, right,
+                   cells.mean(right))
+
+    def chosen(self) -> np.ndarray:
+        """Cells that the second round is asked for, bool (k,)."""
+        return self.likely >= LEAST
+
+    def all_figures(self) -> dict[str, np.ndarray]:
+        """Figures of the chosen cells for the second round."""
+        some = self.chosen()
+        far = company_figures(self.cells.chosen(some), likely_grid(self.cells, self.likely))
+        return {**{name: values[some] for name, values in self.near.items()},
+                **{name: values.astype(np.float32) for name, values in far.items()}}
 
 
-def cells_of_image(image: np.ndarray, pixel: float, paint: np.ndarray) -> Cells:
-    """All cells of an image (rows, columns, 3) in which paint is known (bool)."""
-    settings, pieces = MarkingSettings(), ImagePieces(image, pixel)
-    levels = sampled_levels(pieces, settings, SILENT)
-    whole = slice(0, pieces.rows), slice(0, pieces.columns)
-    bands, seen, _ = pieces.read(*whole)
-    found = candidates_of(bands, seen, None, pixel, levels, settings)
-    judged = judged_pieces(found, pixel, settings.cleaning, whole)
-    counts = judged.accepted[judged.pieces.labels]
-    told = figures_of_pieces(judged, found, pixel, counts)
-    on_paint = paint.take(judged.pieces.inside[counts])
-    share = np.bincount(told.cell, on_paint, minlength=len(told.pixels)) / told.pixels
-    table = np.column_stack([told.values[name] for name in told.values]).astype(np.float32)
-    return Cells(list(told.values), table, share, np.ones(len(share)))
+def trees_of(figures: list[dict[str, np.ndarray]], share: list[np.ndarray], size: tuple[int, int]) -> PaintTrees:
+    """Trees that part paint from bare cells, of scenes that weigh the same."""
+    from catboost import CatBoostClassifier, Pool
+
+    names = sorted(set().union(*figures))
+    rows, paint, weight = [], [], []
+    for number, (values, parts) in enumerate(zip(figures, share)):
+        known = (parts > PAINT) | (parts < BARE)
+        known &= np.random.default_rng(number).random(len(parts)) < MOST / max(np.count_nonzero(known), 1)
+        rows.append(np.column_stack([values.get(name, np.zeros(len(parts), np.float32)) for name in names])[known])
+        paint.append(parts[known] > PAINT)
+        weight.append(np.full(np.count_nonzero(known), 1 / max(np.count_nonzero(known), 2000)))
+    trees, depth = size
+    model = CatBoostClassifier(iterations=trees, depth=depth, learning_rate=0.12, l2_leaf_reg=6, border_count=64,
+                               rsm=0.5, random_seed=1, thread_count=2, verbose=False,
+                               allow_writing_files=False)
+    model.fit(Pool(np.concatenate(rows), np.concatenate(paint).astype(int), weight=np.concatenate(weight),
+                   feature_names=names))
+    with tempfile.TemporaryDirectory() as work:
+        model.save_model(f"{work}/model.json", format="json")
+        told = json.loads(Path(work, "model.json").read_text())
+    return read_trees(told, names, depth)
 
 
-def cells_of_scene(scene: MadeScene, rng: np.random.Generator) -> Cells:
-    """Some cells of a scene."""
-    paint = cv2.dilate(scene.paint, np.ones((3, 3), np.uint8)) > 0.4
-    cells = cells_of_image(scene.image, scene.pixel, paint)
-    chosen, weight = [], []
-    for here, most in zip((cells.share > PAINT, cells.share < BARE), MOST):
-        found = np.flatnonzero(here)
-        some = rng.permutation(found)[:most]
-        chosen.append(some)
-        weight.append(np.full(len(some), len(found) / max(len(some), 1)))
-    taken = np.concatenate(chosen)
-    return Cells(cells.names, cells.figures[taken], cells.share[taken], np.concatenate(weight))
+def read_trees(told: dict, names: list[str], depth: int) -> PaintTrees:
+    """Trees as catboost writes them: the first question is the last digit there, and a tree may have fewer."""
+    scale, base = told["scale_and_bias"]
+    count = len(told["oblivious_trees"])
+    figure, limit = np.zeros((count, depth), np.intp), np.full((count, depth), np.inf, np.float32)
+    value = np.zeros((count, 2 ** depth), np.float32)
+    for number, tree in enumerate(told["oblivious_trees"]):
+        for place, split in enumerate(tree["splits"]):
+            figure[number, depth - 1 - place] = split["float_feature_index"]
+            limit[number, depth - 1 - place] = split["border"]
+        value[number, :len(tree["leaf_values"])] = np.array(tree["leaf_values"]) * scale
+    used = np.unique(figure)
+    return PaintTrees(tuple(names[number] for number in used), float(base[0]), np.searchsorted(used, figure), limit,
+                      value)
 
 
-def told_of_scenes(first: int, count: int) -> dict[str, np.ndarray]:
-    """Figures, answers, weights and scenes of many scenes."""
-    parts = []
-    for seed in range(first, first + count):
-        parts.append(cells_of_scene(make_marking_scene(seed), np.random.default_rng(seed)))
-        if seed % 20 == 0:
-            print(f"scene {seed}: {len(parts[-1].share)} cells", flush=True)
-    scene = np.repeat(np.arange(count), [len(part.share) for part in parts])
-    return {"names": np.array(parts[0].names), "figures": np.concatenate([part.figures for part in parts]),
-            "paint": np.concatenate([part.share > 0.5 for part in parts]),
-            "weight": np.concatenate([part.weight for part in parts]), "scene": scene}
-
-
-class Booster:
-    """Trees that ask one question a level, grown one after the other on the gradient of the logistic loss."""
-
-    def __init__(self, figures: np.ndarray, paint: np.ndarray, rng: np.random.Generator):
-        self._rng, self._paint = rng, paint.astype(float)
-        steps = np.linspace(0, 1, BINS + 1)[1:-1]
-        self.limits = [np.unique(np.quantile(column, steps)).astype(np.float32) for column in figures.T]
-        self._bins = np.stack([np.searchsorted(limits, column) for limits, column in zip(self.limits, figures.T)]
-                              ).astype(np.uint8)
-        share = self._paint.mean()
-        self.base = float(np.log(share / (1 - share)))
-        self._sum = np.full(len(paint), self.base)
-
-    def tree(self) -> tuple[list[int], list[float], np.ndarray]:
-        """Figures and limits of the questions of the next tree, and its values."""
-        some = np.flatnonzero(self._rng.random(len(self._sum)) < SHARE)
-        likely = 1 / (1 + np.exp(-self._sum))
-        gradient, bend = self._paint - likely, likely * (1 - likely)
-        bins, node = self._bins[:, some], np.zeros(len(some), np.intp)
-        asked = self._rng.choice(len(bins), int(0.4 * len(bins)), replace=False)
-        figures, levels = [], []
-        for _ in range(DEPTH):
-            figure, level = self._question(bins, node, gradient[some], bend[some], asked, len(figures))
-            figures.append(figure)
-            levels.append(level)
-            node = 2 * node + (bins[figure] > level)
-        total, bends = (np.bincount(node, values[some], minlength=2 ** DEPTH) for values in (gradient, bend))
-        value = (RATE * total / (bends + CALM)).astype(np.float32)
-        place = np.zeros(len(self._sum), np.intp)
-        for figure, level in zip(figures, levels):
-            place = 2 * place + (self._bins[figure] > level)
-        self._sum += value[place]
-        return figures, [float(self.limits[figure][level]) for figure, level in zip(figures, levels)], value
-
-    def _question(self, bins: np.ndarray, node: np.ndarray, gradient: np.ndarray, bend: np.ndarray,
-                  asked: np.ndarray, depth: int) -> tuple[int, int]:
-        """Figure and step that part the cells best in all nodes together."""
-        best = (-1.0, 0, 0)
-        for figure in asked:
-            levels = min(len(self.limits[figure]), BINS - 1)
-            if not levels:
-                continue
-            key = node * BINS + bins[figure]
-            sums, bends = (np.bincount(key, values, minlength=BINS << depth).reshape(-1, BINS).cumsum(axis=1)
-                           for values in (gradient, bend))
-            left, left_bend = sums[:, :levels], bends[:, :levels]
-            right, right_bend = sums[:, -1:] - left, bends[:, -1:] - left_bend
-            gain = (left ** 2 / (left_bend + CALM) + right ** 2 / (right_bend + CALM)).sum(axis=0)
-            if gain.max() > best[0]:
-                best = (float(gain.max()), int(figure), int(gain.argmax()))
-        return best[1:]
+def first_round(scenes: list[SceneCells], known: list[SceneCells]) -> PaintTrees:
+    """Trees of the first round, trained on all that are known; scenes get what trees of other scenes say."""
+    for part in (0, 1):
+        trees = trees_of([one.near for one in known[1 - part::2]], [one.share for one in known[1 - part::2]], ROUNDS[0])
+        for one in known[part::2]:
+            one.likely = trees.likely(one.near, len(one.share))
+    trees = trees_of([one.near for one in known], [one.share for one in known], ROUNDS[0])
+    for one in scenes:
+        if one.likely is None:
+            one.likely = trees.likely(one.near, len(one.share))
+    return trees
 
 
 def calibrated(score: np.ndarray, paint: np.ndarray, weight: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Evidence and the share of paint at it, rising: classes with equally much paint, and neighbours that
-    fall joined (isotonic regression)."""
-    order = np.argsort(score)
+    """Evidence and the share of paint at it, rising: classes with equally much weight, and neighbours that fall joined
+    (isotonic regression)."""
+    order = np.argsort(score, kind="stable")
     score, paint, weight = score[order], paint[order], weight[order]
-    ends = np.searchsorted(np.cumsum(paint), np.linspace(0, paint.sum(), 25)[1:-1])
-    groups = [[np.average(s, weights=w), np.average(p, weights=w), w.sum()] for s, p, w in zip(
-        *(np.split(values, np.unique(ends)) for values in (score, paint, weight))) if len(s)]
+    ends = np.unique(np.searchsorted(np.cumsum(weight * (0.05 + paint)), np.linspace(
+        0, (weight * (0.05 + paint)).sum(), 40)[1:-1]))
     joined: list[list[float]] = []
-    for group in groups:
-        joined.append(group)
+    for s, p, w in zip(*(np.split(values, ends) for values in (score, paint, weight))):
+        if not len(s):
+            continue
+        joined.append([np.average(s, weights=w), np.average(p, weights=w), w.sum()])
         while len(joined) > 1 and joined[-1][1] <= joined[-2][1]:
             last, before = joined.pop(), joined.pop()
             total = last[2] + before[2]
@@ -178,47 +177,44 @@ def calibrated(score: np.ndarray, paint: np.ndarray, weight: np.ndarray) -> tupl
     return np.array([g[0] for g in joined], np.float32), np.array([g[1] for g in joined], np.float32)
 
 
-def trained(told: dict[str, np.ndarray], trees: int, seed: int = 1) -> tuple[PaintModel, float]:
-    """The model, and its area under the curve in the scenes held out."""
-    held = told["scene"] % HELD == 0
-    booster = Booster(told["figures"][~held], told["paint"][~held], np.random.default_rng(seed))
-    grown = [booster.tree() for _ in range(trees)]
-    figure, limit, value = (np.array([tree[k] for tree in grown]) for k in range(3))
-    names = tuple(told["names"].tolist())
-    raw = PaintModel(names, booster.base, figure, limit.astype(np.float32), value, np.zeros(1), np.zeros(1))
-    evidence = raw.evidence_of(dict(zip(names, told["figures"][held].T)), int(held.sum()))
-    steps, shares = calibrated(evidence, told["paint"][held].astype(float), told["weight"][held])
-    area = area_under_curve(evidence, told["paint"][held], told["weight"][held])
-    return replace(raw, evidence=steps, shares=shares), area
-
-
-def area_under_curve(score: np.ndarray, paint: np.ndarray, weight: np.ndarray) -> float:
-    """How likely a cell of paint has the higher score than one of none."""
-    order = np.argsort(score)
-    paint, weight = paint[order], weight[order]
-    below = np.cumsum(weight * ~paint)
-    return float((below * weight * paint).sum() / ((weight * paint).sum() * below[-1]))
+def trained(scenes: list[SceneCells]) -> tuple[PaintModel, str]:
+    """The model, and words on how it parts the scenes held out."""
+    held, known = scenes[::HELD], [one for number, one in enumerate(scenes) if number % HELD]
+    first = first_round(scenes, known)
+    second = trees_of([one.all_figures() for one in known], [one.share[one.chosen()] for one in known], ROUNDS[1])
+    score, right, weight = [], [], []
+    for one in held:
+        likely = np.zeros(len(one.share), np.float32)
+        likely[one.chosen()] = second.likely(one.all_figures(), np.count_nonzero(one.chosen()))
+        score.append(of_pieces(likely[one.cells.cell], one.pieces, one.seen.image.shape, one.seen.pixel))
+        right.append(one.right)
+        weight.append(np.full(len(one.right), one.seen.pixel ** 2))
+    score, right, weight = (np.concatenate(values) for values in (score, right, weight))
+    model = PaintModel(first, second, LEAST, *calibrated(score, right.astype(float), weight))
+    found = model.probability(score) >= 0.5
+    return model, (f"held out, at one half: precision {np.average(right[found], weights=weight[found]):.3f}, recall "
+                   f"{(weight * found * right).sum() / (weight * right).sum():.3f}")
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--scenes", type=int, default=108)
+    parser.add_argument("--scenes", type=int, default=120)
     parser.add_argument("--first", type=int, default=3000)
-    parser.add_argument("--trees", type=int, default=120)
-    parser.add_argument("--figures", type=Path)
+    parser.add_argument("--cells", type=Path)
     parser.add_argument("--output", type=Path, default=FILE)
     given = parser.parse_args()
-    if given.figures and given.figures.is_file():
-        with np.load(given.figures) as stored:
-            told = dict(stored)
+    if given.cells and given.cells.is_file():
+        scenes = pickle.loads(given.cells.read_bytes())
     else:
-        told = told_of_scenes(given.first, given.scenes)
-        if given.figures:
-            np.savez(given.figures, **told)
-    model, area = trained(told, given.trees)
+        scenes = []
+        for seed in range(given.first, given.first + given.scenes):
+            scenes.append(SceneCells.of(make_marking_scene(seed)))
+            print(f"scene {seed}: {len(scenes[-1].share)} cells", flush=True)
+        if given.cells:
+            given.cells.write_bytes(pickle.dumps(scenes))
+    model, words = trained(scenes)
     model.write(given.output)
-    print(f"{len(told['paint'])} cells, {told['paint'].mean():.2f} of them paint; area under the curve {area:.4f} in "
-          f"scenes held out; {given.output.stat().st_size / 1000:.0f} kB")
+    print(f"{sum(len(one.share) for one in scenes)} cells; {words}; {given.output.stat().st_size / 1000:.0f} kB")
 
 
 if __name__ == "__main__":

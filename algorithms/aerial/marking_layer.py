@@ -27,19 +27,20 @@ def write_markings(algorithm, parameters, context, found, crs, progress):
                             style="road_markings", progress=progress.part(0.9, 1.0))
 
 
-def write_doubtful(algorithm, parameters, context, found, crs):
-    """The layer of markings that are worth a look, the most area in doubt first; None where it is not wanted."""
-    if not parameters.get("OUTPUT_DOUBTFUL"):
+def write_doubtful(algorithm, parameters, context, search, settings, crs):
+    """The layer of what `search` (settings, path of a mask) finds below the least confidence; None where unwanted."""
+    if not parameters.get("OUTPUT_DOUBTFUL") or settings.cleaning is None:
         return None
-    import numpy as np
+    import tempfile
 
-    from ...urbanmap_qgis.aerial.markings.marking_polygons import doubtful_markings
+    from ...urbanmap_qgis.aerial.markings.marking_polygons import most_in_doubt
 
-    chosen = doubtful_markings(found.confidence, found.area)
     names = ("confidence", "length", "width", "colour")
     fields = make_fields("paint", *((name, "text" if name == "colour" else "real") for name in names))
-    return algorithm.write_layer(parameters, "OUTPUT_DOUBTFUL", context, fields,
-                                 {"paint": [None] * len(chosen), **{name: getattr(found, name)[chosen]
-                                                                    for name in names}}, crs,
-                                 np.array([found.polygons[int(number)] for number in chosen], object), "Polygon",
-                                 style="doubtful_markings")
+    with tempfile.TemporaryDirectory(prefix="urbanmap-") as folder:
+        found = search(settings.doubtful, f"{folder}/doubtful.tif").polygons
+        order = most_in_doubt(found.confidence, found.area)
+        columns = {"paint": [None] * len(order), **{name: getattr(found, name)[order] for name in names}}
+        return algorithm.write_layer(parameters, "OUTPUT_DOUBTFUL", context, fields, columns, crs,
+                                     [found.polygons[int(number)] for number in order], "Polygon",
+                                     style="doubtful_markings")

@@ -28,10 +28,9 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         "Finds painted road markings, white, yellow and blue, in an orthophoto: a mask on the orthophoto's pixels and "
         "polygons whose outlines are finer than the pixels.\n"
         "After a level adjustment, pixels are kept that are brighter by the contrast than the Gaussian mean of the "
-        "block round them (in shade in proportion less). Then goes what is no paint: what is as bright on one side "
-        "(kerbs, walls, edges of shadows), bright bodies wider than paint (vehicles, roofs) and short pieces at them, "
-        "leaves, specks, and roof edges along what is hidden. The ground beside must be smooth and grey as roads "
-        "are: a confidence tells how much it is.\n"
+        "block round them (in shade in proportion less), and stand out on both sides. A model trained on made-up "
+        "streets then tells how likely each piece is paint, by its shape and contrast, the ground round it and its "
+        "company: that is its confidence.\n"
         "Any orthophoto of 0.5 m or finer will do, in grey or in red, green and blue, 8 or 16 bit, of any size. Give "
         "roads where you have them: bright lines on roofs, plots and paving are then left out. Give building "
         "outlines, or the mask of what buildings hide, where they lean in the image."
@@ -48,11 +47,8 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
                         "their heights.", optional=True)
         self.add_choice("METHOD", "Method", "Profile: paint must stand out from the road on both sides, and what is no "
                         "paint is left out. Paper: the plain adaptive Gaussian threshold of the grey image after a "
-                        "level adjustment, as in the paper; only block size and contrast matter then. Trained: as "
-                        "profile, with the confidence of a model trained on made-up streets; raise the minimum "
-                        "confidence (up to 0.35) where too much is found. In hard light profile takes that model "
-                        "too.", METHODS,
-                        "profile", advanced=True)
+                        "level adjustment, as in the paper; only block size and contrast matter then. Trained: the "
+                        "same as profile.", METHODS, "profile", advanced=True)
         self.add_settings(MarkingThreshold)
         self.add_boolean("CLEAN", "Clean", "Leave out what is no paint by its width, contrast on both sides, shape and "
                          "surroundings; without it all stays that is brighter by the contrast than the block.", True)
@@ -70,9 +66,9 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         self.add_layer_output("OUTPUT_POLYGONS", "Road markings", "Outlines of the markings, with area (m2), length "
                               "and width of the stroke (m), mean contrast (grey values), colour and "
                               "confidence (0 to 1).", optional=True, by_default=True)
-        self.add_layer_output("OUTPUT_DOUBTFUL", "Doubtful markings", "Markings with a confidence of 0.3 to 0.7, "
-                              "those with the most area in doubt first, with the empty field paint for your answers "
-                              "when you look through them.", optional=True)
+        self.add_layer_output("OUTPUT_DOUBTFUL", "Doubtful markings", "What was left out with a confidence of "
+                              "0.2 or more, the most area in doubt first, with the empty field paint for your answers "
+                              "when you look through it.", optional=True)
         self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: numbers and areas, shifts between frames, "
                              "coverage, pictures of the markings over the orthophoto, and what to distrust.",
                              HTML_FILTER, optional=True)
@@ -108,16 +104,19 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         places = self._places(parameters, context, progress.part(0.0, 0.02))
         mask = self.output_layer_path(parameters, "OUTPUT", context, style="marking_mask")
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
-            found = markings_from_orthophoto(self.raster_path(parameters, "INPUT", context), mask, places, settings,
-                                             metres_per_unit(crs), progress=progress.part(0.02, 0.9),
-                                             executor=executor)
-        self._tell(found, settings.contrast, progress)
+            def search(settings, mask):
+                return markings_from_orthophoto(self.raster_path(parameters, "INPUT", context), mask, places, settings,
+                                                metres_per_unit(crs), progress=progress.part(0.02, 0.9),
+                                                executor=executor)
+
+            found, doubtful = search(settings, mask), write_doubtful(self, parameters, context, search, settings, crs)
+        self._tell(found, progress)
         results = {"OUTPUT": str(mask), "COUNT": len(found.polygons), "MARKED_AREA": found.marked_area,
                    "SEARCHED_AREA": found.searched_area}
         if report := self._report(parameters, context, found, settings.contrast):
             results["OUTPUT_REPORT"] = report
         layers = {"OUTPUT_POLYGONS": write_markings(self, parameters, context, found.polygons, crs, progress),
-                  "OUTPUT_DOUBTFUL": write_doubtful(self, parameters, context, found.polygons, crs)}
+                  "OUTPUT_DOUBTFUL": doubtful}
         return {**results, **{name: layer for name, layer in layers.items() if layer}}
 
     def shared_settings(self, parameters, context, progress):
@@ -144,10 +143,10 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         from ...urbanmap_qgis.aerial.markings.road_markings import LevelAdjustment, MarkingSettings
 
         method = self.parameterAsString(parameters, "METHOD", context)
-        rules = self.settings(CleanSettings, parameters, context, trained=method == "trained")
         clean = self.parameterAsBool(parameters, "CLEAN", context) and method != "paper"
-        return self.settings(MarkingSettings, parameters, context, paper=method == "paper",
-                             cleaning=rules if clean else None, levels=LevelAdjustment.of_text(
+        rules = self.settings(CleanSettings, parameters, context) if clean else None
+        return self.settings(MarkingSettings, parameters, context, paper=method == "paper", cleaning=rules,
+                             levels=LevelAdjustment.of_text(
                                  self.parameterAsString(parameters, "LEVELS", context)))
 
     def _report(self, parameters, context, found, contrast):
@@ -178,7 +177,7 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
                 self.label_of(name)))
         return list(shapely.make_valid(shapely.force_2d(present)))
 
-    def _tell(self, found, contrast, progress):
+    def _tell(self, found, progress):
         from ...urbanmap_qgis.aerial.markings.marking_verdict import marking_verdict
 
         if not found.searched_area:
@@ -186,7 +185,7 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
                              "areas lie where the image does; the mask is empty."))
         elif not len(found.polygons):
             progress.warn(tr("No markings were found: the mask is empty; check the roads, or lower the contrast."))
-        for reason in marking_verdict(found, contrast).reasons if len(found.polygons) else ():
+        for reason in marking_verdict(found).reasons if len(found.polygons) else ():
             progress.warn(reason)
         if found.pixel > 0.25:
             progress.warn(tr("With pixels of {0:.2f} m only wide markings can be seen; 0.15 m or finer shows lane "

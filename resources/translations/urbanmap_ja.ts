@@ -816,8 +816,8 @@
         <translation>模擬街路で学習したモデルによる</translation>
     </message>
     <message>
-        <source>Profile: paint must stand out from the road on both sides, and what is no paint is left out. Paper: the plain adaptive Gaussian threshold of the grey image after a level adjustment, as in the paper; only block size and contrast matter then. Trained: as profile, with the confidence of a model trained on made-up streets; raise the minimum confidence (up to 0.35) where too much is found. In hard light profile takes that model too. (profile, paper, trained)</source>
-        <translation>profile：標示が両側の路面より明るいことを条件とし、標示でないものを除きます。paper：論文どおり、レベル補正後のグレー画像に適応的閾値処理だけを行います。この場合はブロックサイズとコントラストだけが有効です。trained：profileと同じ処理に、模擬した街路で学習したモデルの信頼度を用います。検出が多すぎるところでは、最小信頼度を0.35まで上げてください。強い日差しの画像では、profileもこのモデルを用います。（profile, paper, trained）</translation>
+        <source>Profile: paint must stand out from the road on both sides, and what is no paint is left out. Paper: the plain adaptive Gaussian threshold of the grey image after a level adjustment, as in the paper; only block size and contrast matter then. Trained: the same as profile. (profile, paper, trained)</source>
+        <translation>断面：塗装は道路より両側で際立たねばならず、塗装でないものは除かれる。論文：論文のとおり、レベル補正後の濃淡画像への単純な適応ガウス閾値処理で、ブロックの大きさとコントラストだけが効く。学習済み：断面と同じ。（profile、paper、trained）</translation>
     </message>
     <message>
         <source>Block size</source>
@@ -868,8 +868,8 @@
         <translation>最小信頼度</translation>
     </message>
     <message>
-        <source>Markings (parts of long ones) with less confidence that they are paint on a road, 0 to 1, are left out: those on textured or coloured ground such as grass and earth, and faint ones. 0 keeps all. Where roads are given, the ground needs no proof.</source>
-        <translation>路上の標示としての信頼度（0～1）がこれより低い路面標示（長いものはその一部）を除きます。草地や土など模様や色のある地面の上のものと、薄いものが対象です。0の場合はすべて残します。道路を指定した所では、地面の確認は行いません。</translation>
+        <source>What is less likely paint than this, 0 to 1, is left out (parts of long pieces by themselves); at the default about four fifths of the found area are paint. 0 keeps all. Where roads are given, paint is more likely.</source>
+        <translation>塗装である確からしさ（0〜1）がこれより低いもの（長いものは部分ごと）を除く。既定値では抽出面積のおよそ5分の4が塗装である。0はすべてを残す。道路を与えると塗装の確からしさは高くなる。</translation>
     </message>
     <message>
         <source>Width of filled paint</source>
@@ -924,8 +924,8 @@
         <translation>疑わしい路面標示</translation>
     </message>
     <message>
-        <source>Markings with a confidence of 0.3 to 0.7, those with the most area in doubt first, with the empty field paint for your answers when you look through them.</source>
-        <translation>信頼度0.3～0.7の路面標示。判断の分かれる面積が大きいものから順に並び、目で確かめた結果を書く空のフィールドpaintを持つ。</translation>
+        <source>What was left out with a confidence of 0.2 or more, the most area in doubt first, with the empty field paint for your answers when you look through it.</source>
+        <translation>信頼度0.2以上で除かれたもの。疑わしい面積の大きい順で、確認時に答えを記入する空の属性 paint をもつ。</translation>
     </message>
     <message>
         <source>HTML report: numbers and areas, shifts between frames, coverage, pictures of the markings over the orthophoto, and what to distrust.</source>
@@ -7171,11 +7171,11 @@ Ground is taken by class 2 where at least 1 % of the points have it, otherwise f
     </message>
     <message>
         <source>Finds painted road markings, white, yellow and blue, in an orthophoto: a mask on the orthophoto's pixels and polygons whose outlines are finer than the pixels.
-After a level adjustment, pixels are kept that are brighter by the contrast than the Gaussian mean of the block round them (in shade in proportion less). Then goes what is no paint: what is as bright on one side (kerbs, walls, edges of shadows), bright bodies wider than paint (vehicles, roofs) and short pieces at them, leaves, specks, and roof edges along what is hidden. The ground beside must be smooth and grey as roads are: a confidence tells how much it is.
+After a level adjustment, pixels are kept that are brighter by the contrast than the Gaussian mean of the block round them (in shade in proportion less), and stand out on both sides. A model trained on made-up streets then tells how likely each piece is paint, by its shape and contrast, the ground round it and its company: that is its confidence.
 Any orthophoto of 0.5 m or finer will do, in grey or in red, green and blue, 8 or 16 bit, of any size. Give roads where you have them: bright lines on roofs, plots and paving are then left out. Give building outlines, or the mask of what buildings hide, where they lean in the image.</source>
-        <translation>オルソ画像から、白・黄・青の路面標示を求めます。オルソ画像の画素に合わせたマスクと、画素より細かい輪郭のポリゴンを作成します。
-レベル補正の後、周囲のブロックのガウス平均よりコントラストの値以上明るい画素を残します（日陰では比例して小さくします）。次に、標示でないものを除きます。片側が同じ明るさのもの（縁石、壁、影の縁）、標示より幅の広い明るいもの（車両、屋根）とそれに接する短い断片、葉、微小なもの、遮蔽部分に沿った屋根の縁です。そばの地表は、道路のように滑らかな灰色でなければなりません。その度合いを信頼度で示します。
-0.5 mまたはそれより細かいオルソ画像であれば、グレーまたはRGB、8または16ビット、任意の大きさのものを使えます。道路のデータがあれば指定してください。屋根・敷地・舗装の明るい線が除かれます。画像で建物が倒れ込んでいる場合は、建物外周線、または建物が隠す部分のマスクを指定してください。</translation>
+        <translation>オルソ画像から白・黄・青の路面標示を抽出する。結果はオルソ画像の画素上のマスクと、画素より細かい輪郭のポリゴンである。
+レベル補正の後、周囲のブロックのガウス平均よりコントラスト以上に明るく（日陰では比例して小さく）、両側で際立つ画素を残す。次に、架空の街路で学習したモデルが、形とコントラスト、周囲の地面、近くの標示から、それぞれが塗装である確からしさを求める。これが信頼度である。
+0.5 m以下の画素のオルソ画像なら、濃淡でもRGBでも、8ビットでも16ビットでも、どんな大きさでもよい。道路があれば与える。屋根・敷地・舗装の明るい線が除かれる。画像で建物が傾いて写るときは、建物の外形か、建物が隠す範囲のマスクを与える。</translation>
     </message>
     <message>
         <source>Javanmardi, 3.2.2 and 4.1</source>
@@ -8028,10 +8028,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{output} に書き込めません（{error}）。別の出力先を選択してください。</translation>
     </message>
     <message>
-        <source>The image's own road is as rough as in hard light: the trained model tells the confidence.</source>
-        <translation>画像内の路面が強い日差しの画像のように粗いため、学習済みモデルで信頼度を求めます。</translation>
-    </message>
-    <message>
         <source>{mask} does not cover all of {path}: where it does not, nothing is taken as hidden.</source>
         <translation>{mask} は {path} の全体を覆っていません。覆われていないところでは、遮蔽はないものとします。</translation>
     </message>
@@ -8112,8 +8108,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>隣り合う線の間隔（中央値）が {spacing:.1f} m です。車線の幅は 2.5～4 m です。画素寸法の指定が誤っている可能性があります。</translation>
     </message>
     <message>
-        <source>Markings cannot be told in this image: {share:.0%} of what is bright and narrow was left out, because the ground beside it is not smooth and grey as a road is. Do not use the result. Check the pixel size, the order of the colours, light, noise and focus; or give roads.</source>
-        <translation>この画像では標示を見分けられません。明るく細いもののうち {share:.0%} は、隣の地面が道路のように滑らかな灰色でないため除かれました。結果は使わないでください。画素の大きさ、色の順序、明るさ、ノイズ、ピントを確認するか、道路を指定してください。</translation>
+        <source>Markings cannot be told in this image: by its confidence only {recall:.0%} of the paint was found. Do not use the result. Check the pixel size, light, noise and focus; or give roads.</source>
+        <translation>この画像では標示を判別できない。信頼度によると塗装の{recall:.0%}しか抽出できていない。結果を使わないこと。画素の大きさ、光、ノイズ、ピントを確かめるか、道路を与える。</translation>
     </message>
     <message>
         <source>Markings cannot be told in this image: {full:.0%} of it are over-exposed. Do not use the result.</source>
@@ -8132,36 +8128,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>画像に色がありません。土、屋根、枯れ草を色で道路と区別できず、標示と見なされるものが増えます。道路を指定してください。</translation>
     </message>
     <message>
-        <source>{colder:.0%} of what looks like paint is bluer than the road beside it and was left out: the order of the colours may be wrong (blue for red), or the image has a warm cast.</source>
-        <translation>標示に見えるもののうち {colder:.0%} は、隣の道路より青いため除かれました。色の順序が誤っている（赤と青の入れ替わり）か、画像が暖色に偏っている可能性があります。</translation>
+        <source>By its confidence {precision:.0%} of the found area is paint: look at what is doubtful, raise the minimum confidence, or give roads.</source>
+        <translation>信頼度によると、抽出面積の{precision:.0%}が塗装である。疑わしいものを確認するか、最小信頼度を上げるか、道路を与える。</translation>
     </message>
     <message>
-        <source>{unsure:.0%} of what is bright and narrow was left out, because the ground beside it is not smooth and grey as a road is: look for paint without an outline, or give roads.</source>
-        <translation>明るく細いもののうち {unsure:.0%} は、隣の地面が道路のように滑らかな灰色でないため除かれました。輪郭のない標示がないか確認するか、道路を指定してください。</translation>
-    </message>
-    <message>
-        <source>{straight:.0%} of what is straight, bright and narrow was left out: look for lines without an outline; the order of the colours may be wrong, or roads be few.</source>
-        <translation>直線状で明るく細いもののうち {straight:.0%} を除外しました。輪郭のない線がないか確認してください。色の順序が誤っているか、道路が少ない可能性があります。</translation>
+        <source>By its confidence {recall:.0%} of the paint was found: look for paint without an outline, lower the minimum confidence, or give roads.</source>
+        <translation>信頼度によると、塗装の{recall:.0%}が抽出された。輪郭のない塗装を探すか、最小信頼度を下げるか、道路を与える。</translation>
     </message>
     <message>
         <source>Lines are {width:.2f} m wide (median): lane lines have 0.1 to 0.3 m. The pixel size may be wrong, or the image out of focus.</source>
         <translation>線の幅は {width:.2f} m（中央値）です。車線の線は 0.1～0.3 m です。画素の大きさが誤っているか、ピントが合っていない可能性があります。</translation>
-    </message>
-    <message>
-        <source>Few markings are sure: three quarters have a confidence below {sure:.2f}. Look at them over the image.</source>
-        <translation>確かな標示がわずかです。四分の三は信頼度が {sure:.2f} 未満です。画像に重ねて確認してください。</translation>
-    </message>
-    <message>
-        <source>Half of the markings hardly stand out from the ground: worn paint, joints of paving, or an image that is dim or out of focus.</source>
-        <translation>標示の半分は地面とほとんど差がありません。摩耗した標示、舗装の目地、または暗い画像やピントの合わない画像です。</translation>
-    </message>
-    <message>
-        <source>{share:.0%} of the found paint lies in pieces shorter than {length:g} m, as rims, joints and specks of light do: much of it may be no paint. Look at it over the image, answer what is doubtful, or give roads.</source>
-        <translation>検出した標示の {share:.0%} は長さ {length:g} m 未満の断片にあります。縁や目地、木漏れ日がそのように現れるため、標示でないものが多く含まれる可能性があります。画像に重ねて確認し、疑わしいものに回答するか、道路を指定してください。</translation>
-    </message>
-    <message>
-        <source>Smooth ground has a texture of {texture:.1f} grey values in this image, as noise or sharpening make it: more paint is missed, and more else found.</source>
-        <translation>この画像では、滑らかな地面の粗さが {texture:.1f} 階調あります。ノイズや鮮鋭化によるものです。標示の見落としも、標示以外の検出も増えます。</translation>
     </message>
     <message>
         <source>Nothing in the image is green: it shows no plants, or infrared as a colour. Then leaves and earth cannot be told from roads by their colour; look for finds in them.</source>
@@ -17364,8 +17340,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>画像から求めた道路面</translation>
     </message>
     <message>
-        <source>Smooth grey ground in the light. What is much rougher or warmer is taken for no road.</source>
-        <translation>日の当たる、平滑で灰色の地面です。これより著しく粗い、または暖色の地面は道路とみなしません。</translation>
+        <source>Smooth grey ground in the light. All brightness, colour and roughness is judged relative to it.</source>
+        <translation>日なたの滑らかな灰色の地面。明るさ・色・粗さはすべてこれを基準に判断する。</translation>
     </message>
     <message>
         <source>Texture (grey values)</source>
@@ -17390,14 +17366,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>of these taken for paint</source>
         <translation>うち標示としたもの</translation>
-    </message>
-    <message>
-        <source>of these left out by the ground beside them</source>
-        <translation>うち隣の地面により除いたもの</translation>
-    </message>
-    <message>
-        <source>Smooth grey share of the ground</source>
-        <translation>地面のうち滑らかな灰色の割合</translation>
     </message>
     <message>
         <source>Shifts between overlapping frames</source>
@@ -17438,6 +17406,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Markings by contrast</source>
         <translation>コントラスト別の標示</translation>
+    </message>
+    <message>
+        <source>Share of the found area that is paint, by its confidence</source>
+        <translation>抽出面積のうち塗装の割合（信頼度による）</translation>
+    </message>
+    <message>
+        <source>Share of the paint that was found, by its confidence</source>
+        <translation>塗装のうち抽出された割合（信頼度による）</translation>
     </message>
     <message>
         <source>Coverage</source>

@@ -11,7 +11,7 @@ from .canvas import CELL, SIDE, Canvas
 from .streets import Street, lay_street, paint_street, street_look
 from .things import draw_vehicle, draw_wire, grow_tree, lay_lot
 
-PIXELS = (0.08, 0.2)
+PIXELS = (0.055, 0.2)
 """Sides of pixels, m."""
 
 
@@ -39,7 +39,7 @@ def make_marking_scene(seed: int) -> MadeScene:
         paint_street(canvas, street, look, [-other.at if street.axis == 0 else other.at
                                             for other in streets if other.axis != street.axis])
         _traffic(canvas, street, sun)
-    for _ in range(rng.poisson(25)):
+    for _ in range(rng.poisson(rng.choice([15, 25, 60]))):
         grow_tree(canvas, rng.uniform(-SIDE / 2, SIDE / 2, 2) * 1.3, sun)
     for draw in canvas.low:
         draw()
@@ -69,9 +69,9 @@ def _lay_lots(canvas: Canvas, streets: list[Street], look, sun) -> None:
     cuts = []
     for axis in (1, 0):  # cuts along x lie at streets of axis 1, whose plan x is - at
         places = [(-s.at if axis else s.at, s.half + s.pavement) for s in streets if s.axis == axis]
-        lines = [-0.72 * SIDE]
+        lines, largest = [-0.72 * SIDE], rng.choice([28, 28, 50])
         while lines[-1] < 0.72 * SIDE:
-            lines.append(lines[-1] + rng.uniform(10, 28))
+            lines.append(lines[-1] + rng.uniform(10, largest))
         cuts.append(sorted([*lines, *(at + sign * wide for at, wide in places for sign in (-1, 1))]))
     for left, right in zip(cuts[0][:-1], cuts[0][1:]):
         for low, high in zip(cuts[1][:-1], cuts[1][1:]):

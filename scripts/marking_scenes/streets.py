@@ -174,13 +174,13 @@ def _lengthwise(canvas: Canvas, street: Street, free: list, across: float, tone:
 
 def _crosswise(canvas: Canvas, street: Street, look: Look, at: float, sign: int) -> None:
     rng, half, wear = canvas.rng, street.half, _wear(canvas, look)
-    kind = rng.choice(["zebra", "lines", "none"], p=[0.5, 0.15, 0.35])
-    low, high = sorted((at - sign * 5.0, at - sign * 1.0))
-    if kind == "zebra":
-        bar, gap = rng.uniform(0.35, 0.6), rng.uniform(0.35, 0.7)
+    kind = rng.choice(["zebra", "ladder", "lines", "none"], p=[0.35, 0.2, 0.2, 0.25])
+    low, high = sorted((at - sign * rng.uniform(3.5, 5.0), at - sign * 1.0))
+    if kind in ("zebra", "ladder"):
+        bar, gap = rng.uniform(0.3, 0.6), rng.uniform(0.35, 1.6 if kind == "ladder" else 0.7)
         for place in np.arange(-half + 0.3, half - bar, bar + gap):
             canvas.mark(street.ring(low, high, place, place + bar), look.white, wear)
-    elif kind == "lines":
+    if kind in ("lines", "ladder"):
         for place in (low, high):
             canvas.mark(street.ring(place, place + rng.uniform(0.2, 0.4), -half + 0.2, half - 0.2), look.white, wear)
     if rng.random() < 0.6:

@@ -14,7 +14,7 @@ ROUGH = (0.16, 0.18, 0.16, 0.12, 0.1)
 def lay_lot(canvas: Canvas, lot: np.ndarray, look: Look, sun: tuple[np.ndarray, float]) -> None:
     """Fill a lot (left, low, right, high) with something."""
     kind = canvas.rng.choice(["roof", "roof", "roof", "garden", "cars", "bare", "water", "paved", "rails", "beds"],
-                             p=[0.2, 0.15, 0.15, 0.13, 0.15, 0.08, 0.04, 0.05, 0.02, 0.03])
+                             p=[0.18, 0.15, 0.15, 0.13, 0.15, 0.07, 0.03, 0.05, 0.06, 0.03])
     {"roof": _roof, "garden": _garden, "cars": _car_park, "bare": _bare, "water": _water, "paved": _paved,
      "rails": _rails, "beds": _beds}[kind](canvas, lot, look, sun)
 
@@ -133,13 +133,21 @@ def _car_park(canvas: Canvas, lot: np.ndarray, look: Look, sun: tuple[np.ndarray
     canvas.fill(box(*lot), look.road * rng.uniform(0.7, 1.3), look.grain)
     painted, wear = rng.random() < 0.75, max(look.wear + rng.normal(0, 0.1), 0)
     tone = look.yellow if rng.random() < 0.2 else look.white
+    double, joined, slant = rng.random() < 0.25, rng.random() < 0.35, rng.choice([0.0, 0.0, 1.5])
     for row in np.arange(low + 0.8, high - 5.5, rng.uniform(10.5, 13)):
-        for at in np.arange(left + 0.8, right - 2.4, 2.5):
-            if painted:
-                canvas.mark(box(at, row, at + 0.12, row + 5), tone, wear)
+        stop = left + 0.8
+        for at in np.arange(left + 0.8, right - 2.4 - slant, 2.5 + 0.4 * double):
+            for off in (0, 0.4)[:1 + double] if painted else ():
+                canvas.mark(band((at + off, row), (at + off + slant, row + 5), 0.12), tone, wear)
             if rng.random() < 0.45:
-                place = np.array([at + 1.3, row + 2.5])
-                canvas.low.append(lambda place=place: draw_vehicle(canvas, place, np.pi / 2, sun))
+                place = np.array([at + 1.3 + slant / 2, row + 2.5])
+                canvas.low.append(lambda place=place: draw_vehicle(canvas, place, np.pi / 2 - slant / 5, sun))
+            elif painted and rng.random() < 0.06:
+                for step in np.arange(0.4, 4, 0.7):
+                    canvas.mark(band((at, row + step), (at + 2.4, row + step + 0.8), 0.12), tone, wear)
+            stop = at + 2.5
+        if painted and joined:
+            canvas.mark(box(left + 0.8, row - 0.06, stop, row + 0.06), tone, wear)
     if rng.random() < 0.4:
         canvas.line(np.array([(left, low), (right, low), (right, high), (left, high), (left, low)]), 0.15,
                     _tone(rng, 120, 220))

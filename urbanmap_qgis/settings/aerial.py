@@ -67,9 +67,9 @@ class PaintRules(Settings):
     min_area: float = setting(
         0.06, "Minimum marking area", "Smaller pieces are left out.", "m2", 0.0, 100.0, advanced=True)
     min_confidence: float = setting(
-        0.2, "Minimum confidence", "Markings (parts of long ones) with less confidence that they are paint on a road, "
-        "0 to 1, are left out: those on textured or coloured ground such as grass and earth, and faint ones. 0 keeps "
-        "all. Where roads are given, the ground needs no proof.", "", 0.0, 1.0)
+        0.5, "Minimum confidence", "What is less likely paint than this, 0 to 1, is left out (parts of long pieces by "
+        "themselves); at the default about four fifths of the found area are paint. 0 keeps all. Where roads are "
+        "given, paint is more likely.", "", 0.0, 1.0)
     fill_width: float = setting(
         1.5, "Width of filled paint", "Paint up to this width, such as arrow heads and letters, is filled between its "
         "edges; at most the maximum stroke width fills nothing.", "m", 0.0, 5.0, advanced=True)

@@ -72,8 +72,3 @@ def _over_disc(wide: np.ndarray, half: np.ndarray, pick: Callable[..., np.ndarra
             part = row[down:down + height, reach - length:reach - length + width]
             found[:] = part if first else pick(found, part)
             first = False
-
-
-def coarse_step(disc_pixel: float) -> int:
-    """Pixels that are taken together where a disc of a diameter in pixels opens an image."""
-    return max(int(disc_pixel / 10), 1)

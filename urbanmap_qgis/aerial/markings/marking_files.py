@@ -97,7 +97,6 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
                               mask=Path(places.mask).name, path=scene.path.name))
         levels = sampled_levels(scene, settings, progress.part(0.0, 0.1))
         scene.tell_white_specks()
-        settings = _of_image(settings, levels, places, progress)
         profile = {"driver": "GTiff", "width": scene.source.width, "height": scene.source.height, "count": 1,
                    "dtype": "uint8", "transform": scene.source.transform, "crs": scene.source.crs, "tiled": True,
                    "blockxsize": LIMITS.mask_block, "blockysize": LIMITS.mask_block, "compress": "deflate",
@@ -118,18 +117,6 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
         except RasterioError as error:
             raise OutputError(say("{output} cannot be written ({error}): choose another output.",
                                   output=Path(output).name, error=error)) from error
-
-
-def _of_image(settings: MarkingSettings, levels: LevelAdjustment | None, places: SearchArea, progress: Progress
-              ) -> MarkingSettings:
-    """Settings for an image by its own road; with roads given the ground beside paint is not asked for."""
-    if levels is None or not settings.cleaning or places.roads is not None:
-        return settings
-    cleaning = settings.cleaning.of_image(levels.road)
-    if cleaning.trained and not settings.cleaning.trained:
-        progress.message(say("The image's own road is as rough as in hard light: the trained model tells the "
-                             "confidence."))
-    return replace(settings, cleaning=cleaning)
 
 
 def levels_of_orthophoto(path: str | os.PathLike, places: SearchArea | None = None,

@@ -25,9 +25,6 @@ from .stored_polygons import StoredPolygons, StoredRows, batches
 
 WHITE, YELLOW = "white", "yellow"
 
-DOUBTFUL = 0.3, 0.7
-"""Confidence of markings that are worth a look."""
-
 CACHE = 128 * 2**20
 """Bytes that GDAL may keep of files while it reads them tile by tile; its own choice is 5 % of the memory."""
 
@@ -351,9 +348,7 @@ def with_heights(polygons: Sequence, ground: RasterSampler) -> tuple[Sequence, i
     return with_z, without
 
 
-def doubtful_markings(confidence: np.ndarray, area: np.ndarray) -> np.ndarray:
-    """Numbers of markings by their confidence (n,) and area (n,) that are worth a look, those with the most area in
-    doubt first: its variance, were all of a marking paint or none. Specks, which the eye can hardly tell, come last."""
-    chosen = np.flatnonzero((confidence >= DOUBTFUL[0]) & (confidence <= DOUBTFUL[1]))
-    doubt = area[chosen] * confidence[chosen] * (1 - confidence[chosen])
-    return chosen[np.argsort(-doubt, kind="stable")]
+def most_in_doubt(confidence: np.ndarray, area: np.ndarray) -> np.ndarray:
+    """Order of markings by their confidence (n,) and area (n,), those with the most area in doubt first: its variance,
+    were all of a marking paint or none. Specks, which the eye can hardly tell, come last."""
+    return np.argsort(-area * confidence * (1 - confidence), kind="stable")

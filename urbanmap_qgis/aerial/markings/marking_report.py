@@ -102,7 +102,7 @@ def write_marking_report(path: str | os.PathLike, orthophoto: str | os.PathLike,
     OutputError : it cannot be written.
     """
     report = Report("Road markings from the air")
-    judged = marking_verdict(found, evidence.contrast)
+    judged = marking_verdict(found)
     doubts = [*judged.reasons, *quality_warnings(found, evidence)]
     count = say("{polygons_count} markings were found. ", polygons_count=len(found.polygons))
     if judged.grade == BAD:
@@ -146,11 +146,11 @@ def _result(report: Report, found: MarkingResult) -> None:
 
 
 def _road(report: Report, found: MarkingResult) -> None:
-    """What the image's own road is like, by which all limits of the ground are set."""
+    """What the image's own road is like, to which all figures are relative."""
     if found.road is None:
         return
     report.section("The image's own road")
-    report.paragraph("Smooth grey ground in the light. What is much rougher or warmer is taken for no road.")
+    report.paragraph("Smooth grey ground in the light. All brightness, colour and roughness is judged relative to it.")
     report.facts({"Texture (grey values)": round(found.road.texture, 2),
                   "Warmth (share of the brightness)": round(found.road.warmth, 3),
                   "Brightness (grey values)": round(found.road.brightness, 1)})
@@ -163,9 +163,10 @@ def _taken(report: Report, found: MarkingResult) -> None:
         return
     report.section("What was taken and rejected")
     report.facts({"Bright and narrow (share of the image)": evidence.narrow / max(evidence.seen, 1),
-                  "of these taken for paint": evidence.painted / evidence.narrow,
-                  "of these left out by the ground beside them": evidence.unsure / evidence.narrow,
-                  "Smooth grey share of the ground": evidence.smooth / max(evidence.clear, 1)})
+                  "of these taken for paint": evidence.painted / evidence.narrow})
+    if evidence.precision is not None:
+        report.facts({"Share of the found area that is paint, by its confidence": evidence.precision,
+                      "Share of the paint that was found, by its confidence": evidence.recall})
 
 
 def quality_warnings(found: MarkingResult, evidence: OrthophotoQuality) -> list[str]:

@@ -16,13 +16,12 @@ import numpy as np
 from ...errors import InputError
 from ...settings.aerial import MarkingThreshold
 from ...wording import say
-from .disc_opening import coarse_step, disc_kernel, disc_opened
+from .disc_opening import disc_kernel, disc_opened
 from .image_strips import grown, row_strips, within
-from .marking_confidence import clear_of_paint, colours_of, texture
 from .marking_evidence import SearchTally
 from .marking_filter import Candidates, Cleaned, CleanSettings, remove_non_markings
-from .road_model import RoadModel
-from .surroundings import cell_pixels
+from .paint_figures import cell_pixels
+from .road_model import RoadModel, clear_of_paint, colours_of, texture
 
 
 @dataclass(frozen=True)
@@ -44,6 +43,9 @@ class RoadMarkingsLimits:
 
 
 LIMITS = RoadMarkingsLimits()
+
+DOUBTFUL = 0.2, 0.5
+"""Confidence of what is worth a look: from the first up to the least of markings, or the second where that is more."""
 
 MIN_RANGE = 1.5
 """Least range of the levels, in medians of the brightness; new paint is two to three times as bright as asphalt."""
@@ -68,6 +70,13 @@ class MarkingSettings(MarkingThreshold):
         super().__post_init__()
         if self.paper and self.cleaning is not None:
             raise ValueError("The paper's threshold is not cleaned.")
+
+    @property
+    def doubtful(self) -> MarkingSettings:
+        """Those by which only what is worth a look is found: below the least confidence, or `DOUBTFUL[1]`."""
+        low, high = DOUBTFUL
+        return replace(self, cleaning=replace(self.cleaning, min_confidence=low,
+                                              below=max(self.cleaning.min_confidence, high)))
 
 PAPER_MARKINGS = MarkingSettings(paper=True, cleaning=None)
 """J 3.2.2 with the values of Table 3-2."""
@@ -115,7 +124,7 @@ class Markings:
     field : float32, brightness less that half-way between paint and road: its zero line is the paint's edge.
     contrast : float32, grey values above the road.
     yellow : bool.
-    confidence : float32, 0 to 1, see `marking_confidence`; NaN where it is not measured.
+    confidence : float32, 0 to 1 that it is paint; NaN where it is not measured.
     evidence : of the rows and columns that were wanted.
     """
 
@@ -181,8 +190,7 @@ def tile_step(pixel: float, settings: MarkingSettings) -> int:
     """Pixels of side `pixel` (m) of which the sides of tiles are multiples, so that coarse cells fall alike in all."""
     if not settings.cleaning:
         return 1
-    step = coarse_step(settings.cleaning.vehicle_width / pixel)
-    return math.lcm(step, cell_pixels(pixel))
+    return cell_pixels(pixel)
 
 
 def find_markings(bands: np.ndarray, seen: np.ndarray, roads: np.ndarray | None, pixel: float, levels: LevelAdjustment,
@@ -262,8 +270,8 @@ def ground_figures(bands: np.ndarray, seen: np.ndarray, pixel: float, levels: Le
                    settings: MarkingSettings) -> np.ndarray:
     """Texture, warmth, green and brightness (n, 4) of the clear ground of a sample, for `road_model_of`."""
     image, _, bright = _bright(bands, seen, pixel, levels, settings)
-    clear = clear_of_paint(bright, seen, pixel)
-    found = texture(image, clear, pixel, settings.cleaning.confidence.texture_lag)
+    clear = clear_of_paint(bright, seen, pixel).astype(np.float32)
+    found = texture(image, clear, pixel)
     known = np.isfinite(found) & (clear > 0)
     warmth, green = colours_of(bands, clear) if len(bands) >= 3 else (np.zeros_like(found), np.zeros_like(found))
     return np.column_stack([values[known] for values in (found, warmth, green, image)])
@@ -285,7 +293,6 @@ def _filled(cleaned: Cleaned, image: np.ndarray, road: np.ndarray, allowed: np.n
     closed &= cv2.morphologyEx(lit, cv2.MORPH_OPEN, square) == 0
     closed &= ~cleaned.core
     closed &= allowed
-    closed &= ~cleaned.vehicles
     if not closed.any():
         return cleaned.core, road
     paint = cv2.dilate(_where_core(image, cleaned.core), square)
