@@ -92,7 +92,7 @@ def _sampled(files: tuple[FileState, ...]) -> tuple[float, float] | None:
 
     Times that are no numbers are left out: such points lie outside of any trajectory.
     """
-    times = np.concatenate([np.asarray(points["gps_time"]) for path, *_ in files for points in probes(path)])
+    times = np.concatenate([np.asarray(points["gps_time"]) for file in files for points in probes(file)])
     times = times[np.isfinite(times)]
     return tuple(np.quantile(times, [_FEW, 1.0 - _FEW]).tolist()) if times.any() else None
 

@@ -166,25 +166,30 @@ def _put(layers: list[np.ndarray], part: ClothPart) -> None:
 def _write(cloud: PointCloud, output: str | os.PathLike, passes: SurveyPasses, grounds: list[PassGround | None],
            settings: ClothSettings, min_share: float, progress: Progress) -> int:
     """Write all points with their new classes; the number of ground points."""
+    total = candidates = 0
     counts = []
     layout = PointLayout(cloud)
     with cloud_writer(output, layout) as writer:
         for chunk in iter_chunks(cloud, progress, CHUNK):
             ground = _ground_of(chunk, passes, grounds, settings.threshold)
             undecided = of_classes(chunk, UNDECIDED)
-            counts.append(_counts(chunk, undecided & valid_points(chunk), ground))
+            candidate = undecided & valid_points(chunk)
+            total, candidates = total + np.count_nonzero(ground), candidates + np.count_nonzero(candidate)
+            counts.append(_counts(chunk[::_SOME], candidate[::_SOME], ground[::_SOME]))
             points = layout.view(layout.adapt(chunk, np.ones(len(chunk), dtype=bool)))
             points.classification = np.where(undecided, np.where(ground, *_CLASSES), np.asarray(chunk.classification))
             writer.write(points.array)
-        seconds = np.vstack(counts)
-        candidates, total = map(int, seconds[:, 1:].sum(axis=0))
         _check_share(total, candidates, min_share)
-    _tell_poor_seconds(seconds, progress)
+    _tell_poor_seconds(np.vstack(counts), progress)
     return total
 
 
+_SOME = 16
+"""One point of so many tells the share of ground of a second."""
+
+
 def _counts(chunk, candidate: np.ndarray, ground: np.ndarray) -> np.ndarray:
-    """(k, 3) full seconds of a chunk's times (one where it has none), undecided points in them, and ground points."""
+    """(k, 3) full seconds of some points (one where they have no times), undecided points in them, ground points."""
     if "gps_time" not in chunk.point_format.dimension_names or not candidate.any():
         return np.array([[0.0, np.count_nonzero(candidate), np.count_nonzero(ground)]])
     time = np.floor(np.asarray(chunk["gps_time"]))

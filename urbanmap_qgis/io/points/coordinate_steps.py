@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from functools import lru_cache
 
 import laspy
@@ -22,13 +21,20 @@ _FEW_VALUES = 12
 _OFF_STEP = 0.05  # of a step
 
 
-def probes(path: str, places: int = _PLACES) -> Iterator[laspy.ScaleAwarePointRecord]:
-    """Some points of a file from several places on."""
-    with laspy.open(path) as reader:
+def probes(file: FileState, places: int = _PLACES) -> tuple[laspy.ScaleAwarePointRecord, ...]:
+    """Some points of a file from several places on; all checks of a run ask the same ones."""
+    return _probes(file, places)
+
+
+@lru_cache(maxsize=4)
+def _probes(file: FileState, places: int) -> tuple[laspy.ScaleAwarePointRecord, ...]:
+    found = []
+    with laspy.open(file[0]) as reader:
         for share in np.linspace(0.0, 1.0, places):
             if share:
                 reader.seek(int(share * max(reader.header.point_count - _PROBE, 0)))
-            yield reader.read_points(_PROBE)
+            found.append(reader.read_points(_PROBE))
+    return tuple(found)
 
 
 def sampled_points(cloud: PointCloud) -> tuple[np.ndarray, np.ndarray]:
@@ -48,7 +54,7 @@ def sampled_points(cloud: PointCloud) -> tuple[np.ndarray, np.ndarray]:
 @lru_cache(maxsize=64)
 def _thinned(file: FileState, files: int) -> np.ndarray:
     return np.concatenate([np.column_stack([np.asarray(values)[::_EVERY * files] for values in (
-        part["gps_time"], part.x, part.y)]) for part in probes(file[0])])
+        part["gps_time"], part.x, part.y)]) for part in probes(file)])
 
 
 def told_steps(cloud: PointCloud) -> np.ndarray:
@@ -77,7 +83,7 @@ def rounding_variance(cloud: PointCloud) -> tuple[float, ...]:
 
 @lru_cache(maxsize=64)
 def _steps(file: FileState, places: int) -> tuple[float, ...]:
-    points = list(probes(file[0], places))
+    points = probes(file, places)
     steps = [coordinate_step(np.concatenate([np.asarray(part[axis]) for part in points])) * float(scale)
              for axis, scale in zip("XYZ", points[0].scales)]
     return tuple(step if step >= COARSE_STEP else 0.0 for step in steps)
