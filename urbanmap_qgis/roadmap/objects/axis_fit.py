@@ -24,7 +24,6 @@ class AxisFitLimits:
     # that is turned anyhow between 0.71 and 1.
     before: float = 0.82
     unround: float = 0.12  # standard deviation of that, radii
-    spot: float = 0.001  # m by which a wide beam makes a post look thicker, for each metre away
     view: float = 25.0  # degrees: views from directions closer than this see the same side
     slab: float = 0.3  # m of height, in each of which a stem is as wide as in the others
     sure: int = 8  # points of a slab that tell how wide a stem is
@@ -54,8 +53,7 @@ def fit_axis(place: np.ndarray, from_where: np.ndarray) -> StemAxis:
     views = _views(sight)
     lean = _lean(place, views)
     plan = place[:, :2] - (place[:, 2:] - z) * lean
-    away = np.hypot(*(place[:, :2] - from_where).T)
-    seen = [_view(plan[views == view], sight[views == view], float(np.median(away[views == view])))
+    seen = [_view(plan[views == view], sight[views == view])
             for view in np.unique(views) if np.count_nonzero(views == view) >= LIMITS.share * len(views)]
     diameter = float(np.average([view.width for view in seen], weights=[view.number for view in seen]))
     middle, sigma = _placed(seen, diameter)
@@ -79,22 +77,21 @@ def _bare(place: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True)
 class _View:
-    """What one direction saw: unit vector `along` the sight, `middle` across it, `width` and `depth` of the face, how
-    far it is `away`, m, and `number` of points."""
+    """What one direction saw: unit vector `along` the sight, `middle` across it, `width` and `depth` of the face, m,
+    and `number` of points."""
 
     along: np.ndarray
     middle: float
     width: float
     depth: float
     number: int
-    away: float
 
 
-def _view(plan: np.ndarray, sight: np.ndarray, away: float) -> _View:
+def _view(plan: np.ndarray, sight: np.ndarray) -> _View:
     along = sight.mean(axis=0) / np.linalg.norm(sight.mean(axis=0))
     low, high = np.percentile(plan @ _across(along), [LIMITS.edges, 100.0 - LIMITS.edges])
     width = (high - low) / (1.0 - 2.0 * LIMITS.edges / 100.0)
-    return _View(along, float(low + high) / 2.0, float(width), float(np.median(plan @ along)), len(plan), away)
+    return _View(along, float(low + high) / 2.0, float(width), float(np.median(plan @ along)), len(plan))
 
 
 def _across(along: np.ndarray) -> np.ndarray:
@@ -111,8 +108,7 @@ def _placed(seen: list[_View], diameter: float) -> tuple[np.ndarray, np.ndarray]
         sigma = np.linalg.norm([view.width / np.sqrt(view.number), (widest - view.width) / 2.0, LIMITS.noise])
         rows += [_across(view.along), view.along]
         values += [view.middle, view.depth + LIMITS.before * diameter / 2.0]
-        sigmas += [sigma, np.linalg.norm([LIMITS.unround * diameter / 2.0, LIMITS.spot * view.away, 0.25 * sigma,
-                                          LIMITS.noise])]
+        sigmas += [sigma, np.linalg.norm([LIMITS.unround * diameter / 2.0, 0.25 * sigma, LIMITS.noise])]
     design = np.array(rows) / np.array(sigmas)[:, None]
     normal = np.linalg.inv(design.T @ design)
     return normal @ (design.T @ (np.array(values) / np.array(sigmas))), np.sqrt(np.diag(normal))

@@ -22,7 +22,7 @@ DESIGNS = (
     # of the axis from its plane, m. Of a head the face alone may show, or of one beside a post the side alone.
     # Japan: signals 警交仕規 245 and 247 (heads in a row, upright ones of snowy regions, walkers'), 4.5 m clear of the
     # road (道路構造令); Germany: RiLSA 2015, DIN EN 12368; United States: MUTCD 2009, 4D.11 to 4D.15, 4E.04, ITE VTCSH.
-    (SIGNAL, (0.9, 1.3), (0.0, 0.35), (0.33, 0.7), (4.5, 6.5), (0.4, 8.0), (0.0, 1.0)),  # With brackets and arm.
+    (SIGNAL, (0.9, 1.3), (0.0, 0.35), (0.33, 0.7), (4.5, 6.5), (0.4, 8.0), (0.0, 5.0)),  # With brackets and arm.
     (SIGNAL, (0.25, 0.65), (0.0, 0.4), (0.85, 1.4), (4.4, 7.8), (0.3, 8.0), (0.0, 8.0)),
     (SIGNAL, (0.2, 0.45), (0.0, 0.4), (0.7, 1.2), (2.0, 4.5), (0.1, 0.7), (0.0, 0.7)),
     (SIGNAL, (0.2, 0.45), (0.0, 0.35), (0.65, 0.9), (2.2, 3.6), (0.1, 0.8), (0.0, 0.8)),
