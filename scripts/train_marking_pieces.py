@@ -1,6 +1,6 @@
 """Train the model that tells road markings from what is as bright and narrow, from made-up scenes alone.
 
-    python scripts/train_marking_pieces.py [--scenes 120] [--first 3000] [--cells FILE] [--output FILE]
+    python scripts/train_marking_pieces.py [--scenes 64] [--first 3000] [--cells FILE] [--output FILE]
 
 Needs the package catboost besides those of the program. No photograph is used. Trees of the first round judge each cell
 by itself; those of the second also know what the first, trained on other scenes, says of the company. A fifth of the
@@ -198,7 +198,7 @@ def trained(scenes: list[SceneCells]) -> tuple[PaintModel, str]:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--scenes", type=int, default=120)
+    parser.add_argument("--scenes", type=int, default=64)
     parser.add_argument("--first", type=int, default=3000)
     parser.add_argument("--cells", type=Path)
     parser.add_argument("--output", type=Path, default=FILE)

@@ -5944,10 +5944,6 @@
         <translation>路面標示と走行からの車線地図（モデル）</translation>
     </message>
     <message>
-        <source>PointZ at the foot: object_id, kind (pole, lamp post, signal, sign, tree, bollard, other upright), confidence (0 to 1), height over the ground, diameter (of the stem, or the longer sides of a box), lean (degrees), azimuth (degrees, of a board's face or an arm), crown (diameter), arm and arm_height (length, and height over the ground), head_height (of what is at its end), board_width, board_height, board_z (height of the board's middle), sigma (east and north each, m), points, passes, status (measured, doubtful), reason.</source>
-        <translation>根元の PointZ：object_id、kind（柱、街灯、信号、標識、樹木、車止め、その他の立体物）、confidence（0～1）、height（地面からの高さ）、diameter（幹・柱の直径、箱では長辺）、lean（度）、azimuth（度、板の面または腕木の向き）、crown（樹冠の直径）、arm と arm_height（長さと地面からの高さ）、head_height（先端の物の高さ）、board_width、board_height、board_z（板の中央の高さ）、sigma（東・北それぞれ、m）、points、passes、status（measured、doubtful）、reason。</translation>
-    </message>
-    <message>
         <source>3. Makes line work of the markings.</source>
         <translation>3. 標示から線を作成します。</translation>
     </message>

@@ -11,7 +11,7 @@ from .canvas import CELL, SIDE, Canvas
 from .streets import Street, lay_street, paint_street, street_look
 from .things import draw_vehicle, draw_wire, grow_tree, lay_lot
 
-PIXELS = (0.055, 0.2)
+PIXELS = (0.08, 0.2)
 """Sides of pixels, m."""
 
 
@@ -39,7 +39,7 @@ def make_marking_scene(seed: int) -> MadeScene:
         paint_street(canvas, street, look, [-other.at if street.axis == 0 else other.at
                                             for other in streets if other.axis != street.axis])
         _traffic(canvas, street, sun)
-    for _ in range(rng.poisson(rng.choice([15, 25, 60]))):
+    for _ in range(rng.poisson(25)):
         grow_tree(canvas, rng.uniform(-SIDE / 2, SIDE / 2, 2) * 1.3, sun)
     for draw in canvas.low:
         draw()

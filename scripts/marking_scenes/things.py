@@ -14,7 +14,7 @@ ROUGH = (0.16, 0.18, 0.16, 0.12, 0.1)
 def lay_lot(canvas: Canvas, lot: np.ndarray, look: Look, sun: tuple[np.ndarray, float]) -> None:
     """Fill a lot (left, low, right, high) with something."""
     kind = canvas.rng.choice(["roof", "roof", "roof", "garden", "cars", "bare", "water", "paved", "rails", "beds"],
-                             p=[0.18, 0.15, 0.15, 0.13, 0.15, 0.07, 0.03, 0.05, 0.06, 0.03])
+                             p=[0.2, 0.15, 0.15, 0.13, 0.15, 0.08, 0.04, 0.05, 0.02, 0.03])
     {"roof": _roof, "garden": _garden, "cars": _car_park, "bare": _bare, "water": _water, "paved": _paved,
      "rails": _rails, "beds": _beds}[kind](canvas, lot, look, sun)
 

@@ -60,14 +60,14 @@ def test_lanes_with_a_find_are_compared_with_chance():
 
 @here
 @pytest.mark.parametrize(("name", "roads", "least"), [
-    ("drift_c", False, 0.92), ("uav_markings_1", False, 0.96), ("sind", False, 0.87),
-    ("drift_c", True, 0.91), ("sind", True, 0.87)])
+    ("drift_c", False, 0.95), ("uav_markings_1", False, 0.97), ("sind", False, 0.82),
+    ("drift_c", True, 0.93), ("sind", True, 0.86)])
 def test_real_photograph(name, roads, least, tmp_path):
     assert score(read_labels(LABELS / f"{name}.geojson"), AERIAL, roads, tmp_path).f1 > least
 
 
 @here
-@pytest.mark.parametrize(("name", "precision", "recall"), [("us_0", 0.8, 0.5), ("us_12", 0.8, 0.5)])
+@pytest.mark.parametrize(("name", "precision", "recall"), [("us_0", 0.81, 0.6), ("us_12", 0.71, 0.45)])
 def test_sunlit_tile(name, precision, recall, tmp_path):
     made = score(read_labels(LABELS / f"{name}.geojson"), AERIAL, False, tmp_path)
     assert made.precision > precision and made.recall > recall

@@ -67,7 +67,7 @@ class PaintRules(Settings):
     min_area: float = setting(
         0.06, "Minimum marking area", "Smaller pieces are left out.", "m2", 0.0, 100.0, advanced=True)
     min_confidence: float = setting(
-        0.5, "Minimum confidence", "What is less likely paint than this, 0 to 1, is left out (parts of long pieces by "
+        0.4, "Minimum confidence", "What is less likely paint than this, 0 to 1, is left out (parts of long pieces by "
         "themselves); at the default about four fifths of the found area are paint. 0 keeps all. Where roads are "
         "given, paint is more likely.", "", 0.0, 1.0)
     fill_width: float = setting(

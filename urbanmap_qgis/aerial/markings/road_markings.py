@@ -44,7 +44,7 @@ class RoadMarkingsLimits:
 
 LIMITS = RoadMarkingsLimits()
 
-DOUBTFUL = 0.2, 0.5
+DOUBTFUL = 0.2, 0.4
 """Confidence of what is worth a look: from the first up to the least of markings, or the second where that is more."""
 
 MIN_RANGE = 1.5
