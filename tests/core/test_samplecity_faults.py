@@ -152,6 +152,17 @@ def test_gantries_stand_over_the_main_streets_and_change_nothing_else():
         assert box.plan.area == pytest.approx(2.0 * 0.05) and 5.4 < box.z_low - float(faulty.ground_height(x, y)) < 5.7
 
 
+@pytest.mark.parametrize("country, wide", [("japan", 1.2), ("germany", 0.36), ("us", 0.62)])
+def test_street_furniture_of_a_country_has_the_sizes_of_its_standards(country, wide):
+    furniture = make_scene(120.0, "canyon", SEED, (country,)).furniture
+    posts = [box for box in furniture if box.standing]
+    assert {box.standing for box in posts} == {"pole", "lamp post", "sign", "signal"}
+    reach = [max(np.ptp(np.array(box.plan.minimum_rotated_rectangle.exterior.coords), axis=0)) for box in posts]
+    assert max(reach) < 0.5 and len(posts) > 20
+    widths = [np.hypot(*np.diff(np.array(box.plan.exterior.coords), axis=0).T).max() for box in furniture]
+    assert any(abs(width - wide) < 1e-6 for width in widths)
+
+
 def test_a_whole_city_says_its_faults(tmp_path):
     write._write_summary(_truth_folder(tmp_path), {"footprints": {"building_of": {}}}, SIZE, "canyon", SEED, ("rails",))
     assert FAULTS["rails"] in (tmp_path / "README.txt").read_text()
