@@ -117,8 +117,10 @@ def _joined(pieces: np.ndarray, max_gap: float) -> list[tuple[shapely.Polygon, s
         return [(piece, piece) for piece in pieces]
     outer = shapely.union_all(shapely.polygons([shapely.get_exterior_ring(piece) for piece in pieces]))
     grown = shapely.buffer(outer, max_gap / 2, join_style="mitre")
-    # At sharp corners mitres are cut, so that what is shrunk again may lack parts of the pieces, or all of one.
-    closed = shapely.union(shapely.buffer(grown, -max_gap / 2, join_style="mitre"), outer)
+    # At sharp corners mitres are cut, so that what is shrunk again may lack parts of the pieces, or all of one, or meet
+    # itself.
+    shrunk = shapely.make_valid(shapely.buffer(grown, -max_gap / 2, join_style="mitre"))
+    closed = shapely.union(shrunk, outer)
     bridges = shapely.get_parts(shapely.difference(closed, outer))
     contours = []
     for whole in shapely.get_parts(closed):
