@@ -127,7 +127,8 @@ def _tie(drives: Sequence[Drive], first: DrivePass, second: DrivePass, run: Regi
          progress: Progress) -> NetworkObservations:
     """Ties of the second pass to the first."""
     drive = drives[second.drive]
-    run = replace(run, windows=replace(run.windows, three_d=True))
+    run = replace(run, windows=replace(run.windows, three_d=True),
+                  correction=replace(run.correction, reference_steps=False))
     registration = _registered(second.markings, _cut(drive.trajectory, second.markings),
                                PointReference.of(first.markings), run, progress)
     if registration is None:

@@ -76,6 +76,7 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
     model = model.scaled(fit.drift_factor).with_heading(fit.heading_factor)
     found = Adjusted(chain, fit, *path_steps(chain, model, fit.weight / fit.noise_factor, known=steps)).judged(
         SideSlip.of(trajectory, path_parameter))
+    found = found if settings.reference_steps else found.of_drives()
     found, conflict = with_witness(walls, found, model) if walls is not None else (found, WitnessConflict(()))
     found, model = with_upright_walls(walls, found, model) if walls is not None else (found, model)
     found = replace(found, fit=with_plan_noise(found.chain, found.fit, model, points is not None))

@@ -17,6 +17,7 @@ from ....estimation.chain import NodeChain
 from ....estimation.error_model import PoseErrorModel
 from ....estimation.latent_steps import (
     BLOCK,
+    DRIVE,
     LIMITS,
     LatentStep,
     UnseenSteps,
@@ -190,6 +191,12 @@ class Adjusted:
             steps.append(step if step.kind == BLOCK else replace(step, by_reference=slip.share_of_reference(
                 step.by_reference, begin, end, step.change, step.covariance)))
         return replace(self, steps=steps)
+
+    def of_drives(self) -> Adjusted:
+        """The same where no step can be the reference's."""
+        steps = [replace(step, kind=DRIVE, by_reference=0.0) for step in self.steps]
+        none = replace(self.unseen, chance=0.0 * self.unseen.chance, block=0.0 * self.unseen.block)
+        return replace(self, steps=steps, unseen=none)
 
     def hidden(self) -> list[tuple[float, float, PlacedStep]]:
         """Stretches without evidence with the steps that lie somewhere in them; walls there would show where."""

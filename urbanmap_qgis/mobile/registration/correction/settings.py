@@ -33,6 +33,7 @@ class CorrectionSettings(TrustSettings):
     registered_sigma : m in plan, a registered patch has at most, also by the markings around alone.
     blurs : m, by which the reference is softened in the rounds on the points.
     reference_sigma, reference_sigma_z : m, what the reference itself is off by, added to every sigma.
+    reference_steps : whether the reference may step; markings of another drive do not, its error is a drive's.
     rounding_variance : m2, of rounded coordinates of the points, by axis, added to every variance of a place.
     """
 
@@ -56,6 +57,7 @@ class CorrectionSettings(TrustSettings):
     blurs: tuple[float, ...] = (0.15, 0.05, 0.0, 0.0, 0.0)
     reference_sigma_z: float = 0.015
     rounding_variance: tuple[float, ...] = (0.0, 0.0, 0.0)
+    reference_steps: bool = True
 
     def model(self) -> GaussMarkovDrift:
         """The drift as these settings expect it."""
