@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import math
 
-from qgis.core import QgsProcessing
-
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.declaring.parameters import tr
 from ..framework.layers.layers import make_fields
 
 FIELDS = ("id", "role", "plan_before", "plan_after", "east_before", "north_before", "up_before", "east_after",
@@ -41,10 +39,8 @@ class AdjustAls(UrbanMapAlgorithm):
         self.add_points_crs()
         self.add_points_output("OUTPUT", "Shifted points", "All points in their order, with all attributes.")
         self.add_layer_output("OUTPUT_POINTS", "Residuals", "Control and check points with the cloud's errors, as "
-                              "given, after, and left out.", optional=True,
-                              source_type=QgsProcessing.SourceType.TypeVectorPoint, by_default=True)
-        self.add_file_output("OUTPUT_REPORT", "Report", "The shift, its accuracy, and errors at the points.",
-                             HTML_FILTER, optional=True, by_default=True)
+                              "given, after, and left out.", optional=True, by_default=True, kind="point")
+        self.add_report("The shift, its accuracy, and errors at the points.", by_default=True)
         for axis, name in zip(AXES, ("Shift east", "Shift north", "Shift up")):
             self.add_number_output(f"SHIFT_{axis}", name, "By how much the cloud was shifted.", "m")
         self.add_number_output("RMS_BEFORE", "RMS before", "RMS error in height of the control points that are "
@@ -81,11 +77,8 @@ class AdjustAls(UrbanMapAlgorithm):
         from ...urbanmap_qgis.aerial.orientation.cloud_control import residual_rows
         from ...urbanmap_qgis.aerial.orientation.cloud_report import write_cloud_report
 
-        results = {}
-        layer = self.write_layer(parameters, "OUTPUT_POINTS", context, make_fields(*FIELDS), residual_rows(adjusted),
-                                 crs_wkt, shapely.points(adjusted.points.true), "PointZ", style="control_residuals")
-        if layer:
-            results["OUTPUT_POINTS"] = layer
+        results = self.write_layer(parameters, "OUTPUT_POINTS", context, make_fields(*FIELDS), residual_rows(adjusted),
+                                   crs_wkt, shapely.points(adjusted.points.true), "PointZ", style="control_residuals")
         results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_cloud_report, adjusted)
         return results
 

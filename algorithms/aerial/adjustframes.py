@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import math
 
-from qgis.core import QgsProcessing
-
 from ...urbanmap_qgis.settings.aerial import BundleSettings
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.declaring.parameters import tr
 from .frame_inputs import read_camera_and_poses
 from .orthorectifyframes import OrthorectifyFrames
 
@@ -41,10 +39,8 @@ class AdjustFrames(UrbanMapAlgorithm):
         self.add_file_output("OUTPUT", "Corrected exterior orientation", "As the input, in degrees and the papers' "
                              "order of angles, with standard deviations.", "Exterior orientation (*.csv)")
         self.add_layer_output("OUTPUT_POINTS", "Residuals", "Control and check points with their errors on the ground, "
-                              "as given, after, and left out.", optional=True,
-                              source_type=QgsProcessing.SourceType.TypeVectorPoint, by_default=True)
-        self.add_file_output("OUTPUT_REPORT", "Report", "Errors at the points and accuracy of the frames.",
-                             HTML_FILTER, optional=True, by_default=True)
+                              "as given, after, and left out.", optional=True, by_default=True, kind="point")
+        self.add_report("Errors at the points and accuracy of the frames.", by_default=True)
         self.add_number_output("POINTS", "Control points", "Number of control points.")
         self.add_number_output("RMS_BEFORE", "RMS before", "RMS error of the control points that do not "
                                "contradict the others, in plan, as given.", "m")
@@ -89,12 +85,9 @@ class AdjustFrames(UrbanMapAlgorithm):
         from ...urbanmap_qgis.aerial.orientation.report import write_control_report
         from ...urbanmap_qgis.aerial.orientation.stage import residual_columns
 
-        results, columns = {}, residual_columns(adjusted)
         places = shapely.points(adjusted.points.place[adjusted.points.known])
-        layer = self.write_layer(parameters, "OUTPUT_POINTS", context, None, columns,
-                                 self.parameterAsCrs(parameters, "CRS", context), places, "PointZ",
-                                 style="control_residuals")
-        if layer:
-            results["OUTPUT_POINTS"] = layer
+        results = self.write_layer(parameters, "OUTPUT_POINTS", context, None, residual_columns(adjusted),
+                                   self.parameterAsCrs(parameters, "CRS", context), places, "PointZ",
+                                   style="control_residuals")
         results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_control_report, adjusted)
         return results

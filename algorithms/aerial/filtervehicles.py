@@ -8,7 +8,6 @@ from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.layers.crs import crs_from, metres_per_unit
-from ..framework.running.workers import workers
 from .frame_shifts import FrameShiftsOutput
 
 METHODS = ("vote", "darkest", "paper")
@@ -54,7 +53,7 @@ class FilterVehicles(FrameShiftsOutput, UrbanMapAlgorithm):
         output = self.output_layer_path(parameters, "OUTPUT", context)
         progress, shifts, crs = self.progress(feedback), [], crs_from(layers[0].crs())
         metres = 1.0 if crs.isGeographic() else metres_per_unit(crs)
-        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+        with self.workers(parameters, context) as executor:
             result = filter_vehicles([layer.source().split("|")[0] for layer in layers], output, choice,
                                      progress.part(0.0, 0.98), shifts, metres, executor)
         results = {"OUTPUT": str(output), "SHARE_SEEN": result.pixels_seen / (result.grid.rows * result.grid.columns)}

@@ -32,7 +32,7 @@ class FrameShiftsOutput:
 
             columns = shift_columns(shifts, pixel)
             points = shapely.points(columns.pop("x"), columns.pop("y"))
-            results["OUTPUT_SHIFTS"] = self.write_layer(
+            results |= self.write_layer(
                 parameters, "OUTPUT_SHIFTS", context, None, columns, crs, points, "Point",
                 style="frame_shifts", progress=progress)
         return results

@@ -28,9 +28,9 @@ def write_markings(algorithm, parameters, context, found, crs, progress):
 
 
 def write_doubtful(algorithm, parameters, context, search, settings, crs):
-    """The layer of what `search` (settings, path of a mask) finds below the least confidence; None where unwanted."""
+    """The layer of what `search` (settings, path of a mask) finds below the least confidence; where wanted."""
     if not parameters.get("OUTPUT_DOUBTFUL") or settings.cleaning is None:
-        return None
+        return {}
     import tempfile
 
     from ...urbanmap_qgis.aerial.markings.marking_polygons import most_in_doubt

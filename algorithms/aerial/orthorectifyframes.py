@@ -4,12 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
-
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
-from ..framework.running.workers import workers
 from .frame_inputs import ANGLE_ORDERS, ANGLE_UNITS, read_camera_and_poses
 from .frame_shifts import FrameShiftsOutput
 
@@ -32,9 +29,8 @@ class OrthorectifyFrames(FrameShiftsOutput, UrbanMapAlgorithm):
     )
 
     def declare(self):
-        self.declare_parameter(QgsProcessingParameterMultipleLayers(
-            "FRAMES", tr("Frames"), QgsProcessing.SourceType.TypeFile), "8 or 16 bit TIFF or JPEG images as the camera "
-            "took them, each named in the exterior orientation.")
+        self.add_files("FRAMES", "Frames", "8 or 16 bit TIFF or JPEG images as the camera took them, each named in the "
+                       "exterior orientation.")
         self.add_file("CAMERA", "Camera", "JSON file of the camera: focal_length_mm, pixel_pitch_mm, image_width, "
                       "image_height, principal_point_mm, distortion.", "Camera (*.json)")
         self.add_file("EXTERIOR", "Exterior orientation", "CSV file image,x,y,z,omega,phi,kappa (metres, degrees), or "
@@ -62,10 +58,9 @@ class OrthorectifyFrames(FrameShiftsOutput, UrbanMapAlgorithm):
         self.add_choice("OCCLUSION", "Hidden ground", "Ground: told by lines of sight from the ground to the frame. "
                         "Frame: told by an occlusion map of each frame, which masks it before ground is taken from it, "
                         "as in the paper.", OCCLUSION, "ground", advanced=True)
-        self.declare_parameter(QgsProcessingParameterMultipleLayers(
-            "MASKS", tr("Occlusion maps"), QgsProcessing.SourceType.TypeFile, optional=True), "Occlusion maps of the "
-            "frames, from “Occlusion map of a frame”, one for each frame in the frames' order; they are then taken "
-            "instead of being made.", advanced=True)
+        self.add_files("MASKS", "Occlusion maps", "Occlusion maps of the frames, from “Occlusion map of a frame”, one "
+                       "for each frame in the frames' order; they are then taken instead of being made.", advanced=True,
+                       optional=True)
         self.add_distance("HEIGHT_THRESHOLD", "Height threshold", "What stands higher than this above the ground, in "
                           "metres, hides ground; vehicles should not.", 5.0, 0.0, 100.0, advanced=True)
         self.add_choice("ANGLE_ORDER", "Order of the angles", "Papers: R_omega R_phi R_kappa. Usual: R_kappa R_phi "
@@ -109,7 +104,7 @@ class OrthorectifyFrames(FrameShiftsOutput, UrbanMapAlgorithm):
         place = ElevationInputs(ground, surface, *self._buildings(parameters, context, outlines),
                                 self._masks(parameters, context, frames))
         shifts = []
-        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+        with self.workers(parameters, context) as executor:
             result = orthorectify(frames, camera, place, MosaicFiles(output, count), settings,
                                   progress.part(0.02, 0.98), shifts=shifts, executor=executor)
         progress.message(tr("{0} frames used; {1:.1f} % of the ground outside buildings seen, {2:.0f} m2 in holes.")

@@ -6,9 +6,8 @@ from ...urbanmap_qgis.errors import InputError
 from ...urbanmap_qgis.settings.aerial import MarkingThreshold, PaintRules
 from ...urbanmap_qgis.wording import mark
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.declaring.parameters import tr
 from ..framework.layers.crs import crs_from, horizontal, metres_per_unit
-from ..framework.running.workers import workers
 from .frame_shifts import read_pairs
 from .marking_layer import write_doubtful, write_markings
 
@@ -69,9 +68,8 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         self.add_layer_output("OUTPUT_DOUBTFUL", "Doubtful markings", "What was left out with a confidence of "
                               "0.2 or more, the most area in doubt first, with the empty field paint for your answers "
                               "when you look through it.", optional=True)
-        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: numbers and areas, shifts between frames, "
-                             "coverage, pictures of the markings over the orthophoto, and what to distrust.",
-                             HTML_FILTER, optional=True)
+        self.add_report("HTML report: numbers and areas, shifts between frames, coverage, pictures of the markings "
+                        "over the orthophoto, and what to distrust.")
         self.add_number_output("COUNT", "Markings", "Number of polygons.")
         self.add_number_output("MARKED_AREA", "Marked area", "Area of the mask's markings.", "m2")
         self.add_number_output("SEARCHED_AREA", "Searched area", "Area in which markings could be found.", "m2")
@@ -103,7 +101,7 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         settings = self._settings(parameters, context)
         places = self._places(parameters, context, progress.part(0.0, 0.02))
         mask = self.output_layer_path(parameters, "OUTPUT", context, style="marking_mask")
-        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+        with self.workers(parameters, context) as executor:
             def search(settings, mask):
                 return markings_from_orthophoto(self.raster_path(parameters, "INPUT", context), mask, places, settings,
                                                 metres_per_unit(crs), progress=progress.part(0.02, 0.9),
@@ -115,9 +113,7 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
                    "SEARCHED_AREA": found.searched_area}
         if report := self._report(parameters, context, found, settings.contrast):
             results["OUTPUT_REPORT"] = report
-        layers = {"OUTPUT_POLYGONS": write_markings(self, parameters, context, found.polygons, crs, progress),
-                  "OUTPUT_DOUBTFUL": doubtful}
-        return {**results, **{name: layer for name, layer in layers.items() if layer}}
+        return {**results, **write_markings(self, parameters, context, found.polygons, crs, progress), **doubtful}
 
     def shared_settings(self, parameters, context, progress):
         """What all parts of the orthophoto must share when they are worked on apart."""

@@ -8,12 +8,11 @@ from itertools import chain
 
 from ...urbanmap_qgis.settings.buildings import LEVELS, PLANES
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import CITYJSON_FILTER, HTML_FILTER, OBJ_FILTER, tr
+from ..framework.declaring.parameters import CITYJSON_FILTER, OBJ_FILTER, tr
 from ..framework.layers.crs import stated_wkt
 from ..framework.layers.layers import make_fields
 from ..framework.layers.outlines import building_names, building_numbers, column, footprints_of, numbers, open_points
 from ..framework.layers.reprojection import with_heights_of_points
-from ..framework.running.workers import workers
 from .mesh25d import Mesh25D, meshes_beside
 
 
@@ -62,8 +61,7 @@ class BuildingModels(UrbanMapAlgorithm):
                              "of each building.", CITYJSON_FILTER, optional=True)
         self.add_file_output("OUTPUT_MESH", "OBJ mesh", "Wavefront OBJ file, a group for each building.", OBJ_FILTER,
                              optional=True)
-        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: counts, quality, the worst buildings with "
-                             "reasons.", HTML_FILTER, optional=True)
+        self.add_report("HTML report: counts, quality, the worst buildings with reasons.")
         self.add_from(Mesh25D, optional=True, by_default=False, label="2.5D meshes", OUTPUT_MESHES="OUTPUT")
         self.add_number_output("BUILDINGS", "Buildings", "Number of outlines.")
         self.add_number_output("MODELLED", "Modelled", "Buildings with a model.")
@@ -87,7 +85,7 @@ class BuildingModels(UrbanMapAlgorithm):
         cloud = open_points(self, parameters, context, buildings, progress, may_be_empty=True)
         buildings = with_heights_of_points(buildings, cloud, progress)
         base = self._base_heights(parameters, context, buildings, footprints, progress)
-        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+        with self.workers(parameters, context) as executor:
             models = build_models(footprints, self._roofs(roof_table), base, cloud, executor, progress.part(0.0, 0.85),
                                   self.parameterAsString(parameters, "ROOF_SHAPE", context),
                                   numbers(buildings, "open_share"),
@@ -171,13 +169,13 @@ class BuildingModels(UrbanMapAlgorithm):
         results = {}
         if parameters.get("OUTPUT_SURFACES"):
             faces = [surfaces(solid) for model in models for solid in model.solids]
-            results["OUTPUT_SURFACES"] = self.write_layer(
+            results |= self.write_layer(
                 parameters, "OUTPUT_SURFACES", context, None, surface_columns(models), table.crs,
                 [*chain.from_iterable(faces)], "PolygonZ", "building_surfaces", progress, building_names(table))
         shapes = [multipolygon(model.solids) if model.solids else None for model in models]
         # Once the surfaces are in their place the rest follows, cancelled or not: no mixture of old and new results.
         last = replace(progress, cancelled=lambda: False) if results else progress
-        results["OUTPUT"] = self.write_layer(
+        results |= self.write_layer(
             parameters, "OUTPUT", context, make_fields(*columns, base=table.fields), {**table.columns, **columns},
             table.crs, shapes, "MultiPolygonZ", "building_models", last, building_names(table))
         return results

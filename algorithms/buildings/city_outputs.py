@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from datetime import date
 
 from qgis.core import QgsVectorFileWriter
 
@@ -31,16 +30,6 @@ def add_plateau_parameters(algorithm):
                        "CityGML into the folder “schemas”.", folder=True, optional=True, advanced=True)
 
 
-def day_of(algorithm, parameters, name, context):
-    """The day that a text parameter names, as text; empty where none is given."""
-    text = algorithm.parameterAsString(parameters, name, context) or ""
-    try:
-        return date.fromisoformat(text).isoformat() if text else ""
-    except ValueError:
-        raise InputError(tr("{0}: {1} is no day; give it as 2026-04-01.").format(algorithm.label_of(name), text)
-                         ) from None
-
-
 def check_parquet(algorithm, parameters, name, context):
     """Refuse a layer as GeoParquet where GDAL has no driver for it: QGIS would write another format."""
     path = sink_file(parameters, name, context)
@@ -58,6 +47,7 @@ def write_files(algorithm, parameters, context, names, model, progress):
     write_city_files(model, *paths.values(), _geoid(algorithm, parameters, context),
                      _delivery(algorithm, parameters, context), progress)
     return {name: str(path) for name, path in paths.items() if path}
+
 
 def whole_model(algorithm, parameters, context, stack, progress):
     """All of CITY_MODEL in memory, its images until `stack` is closed; what its reader met is told."""
@@ -90,7 +80,7 @@ def _delivery(algorithm, parameters, context):
     return PlateauDelivery(algorithm.parameterAsString(parameters, "IUR_VERSION", context),
                            algorithm.parameterAsString(parameters, "CITY_CODE", context) or "",
                            not parameters.get("CITY_MODEL"), int(level) if level.isdigit() else 0,
-                           day_of(algorithm, parameters, "DATA_DATE", context) if "DATA_DATE" in parameters else "",
+                           algorithm.day_of(parameters, "DATA_DATE", context) if "DATA_DATE" in parameters else "",
                            algorithm.input_path(parameters, "SCHEMAS", context))
 
 

@@ -104,7 +104,7 @@ class ConvertHeights(UrbanMapAlgorithm):
                 table.label, ", ".join(fields)))
         place = self.write_layer(parameters, "OUTPUT_LAYER", context, table.fields, table.columns, conversion.wkt,
                                  geometries, self._geometry_type(parameters, context), style="", progress=progress)
-        return place, conversion.change
+        return place["OUTPUT_LAYER"], conversion.change
 
     def _geometry_type(self, parameters, context) -> str:
         """Name of the layer's own type with z."""

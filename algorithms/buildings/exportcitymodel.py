@@ -9,7 +9,7 @@ from ..framework.layers.building_layers import read_buildings
 from ..framework.layers.layers import make_fields
 from ..framework.layers.outlines import column
 from ..framework.layers.trajectories import GEOID_FILTER
-from .city_outputs import add_plateau_parameters, check_parquet, day_of, whole_model, write_files
+from .city_outputs import add_plateau_parameters, check_parquet, whole_model, write_files
 from .loadcitymodel import LoadCityModel
 
 CITYJSONSEQ_FILTER = "CityJSONSeq (*.city.jsonl *.jsonl)"
@@ -76,7 +76,7 @@ class ExportCityModel(UrbanMapAlgorithm):
         from ...urbanmap_qgis.citymodel.tiles.tiles_writer import tiles_folder_trouble
 
         check_city_code(self.parameterAsString(parameters, "CITY_CODE", context))
-        day_of(self, parameters, "DATA_DATE", context)
+        self.day_of(parameters, "DATA_DATE", context)
         check_parquet(self, parameters, "OUTPUT", context)
         if bool(parameters.get("BUILDINGS")) == bool(parameters.get("CITY_MODEL")):
             raise InputError(tr("Give either {0} or {1}.").format(self.label_of("BUILDINGS"),
@@ -102,7 +102,7 @@ class ExportCityModel(UrbanMapAlgorithm):
         reference = self._reference(parameters, context, table)
         textured = self.input_path(parameters, "TEXTURES", context)
         textures = read_textured_faces(textured) if textured else None
-        date = day_of(self, parameters, "DATA_DATE", context)
+        date = self.day_of(parameters, "DATA_DATE", context)
         rows = [{name: values[row] for name, values in table.columns.items()} | ({"data_date": date} if date else {})
                 for row in range(len(table))]
         lods = column(table, "lod") or [None] * len(table)
@@ -112,7 +112,7 @@ class ExportCityModel(UrbanMapAlgorithm):
         self._tell(result, textures, progress)
         results = self._write_files(parameters, context, result, reference, textures, date, progress.part(0.6, 0.9))
         layer = self._write_layer(parameters, context, table, result, date, progress.part(0.9, 1.0))
-        return {**({"OUTPUT": layer} if layer else {}), **results, "BUILDINGS_WRITTEN": len(result.objects),
+        return {**layer, **results, "BUILDINGS_WRITTEN": len(result.objects),
                 "NOT_CLOSED": sum(bool(item.problems) for item in result.objects)}
 
     def _reference(self, parameters, context, table):
@@ -201,8 +201,6 @@ class ExportCityModel(UrbanMapAlgorithm):
         """The layer with the figures, where wanted."""
         from ...urbanmap_qgis.buildings.model_figures import FIGURES, figure_columns
 
-        if not parameters.get("OUTPUT"):
-            return None
         columns = {**table.columns, **figure_columns(exported.figures),
                    "city_id": [item.id for item in exported.objects],
                    "problems": ["; ".join(item.problems) for item in exported.objects],

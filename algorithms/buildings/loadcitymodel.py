@@ -131,11 +131,11 @@ class LoadCityModel(UrbanMapAlgorithm):
                 counts.buildings, crs_name(wkt), tr(model.reference.heights)))
             results = self._write(parameters, context, store, wkt, progress)
         if parameters.get("OUTPUT_ROADS"):
-            results["OUTPUT_ROADS"] = self.write_layer(
+            results |= self.write_layer(
                 parameters, "OUTPUT_ROADS", context, make_fields(*ROADS), roads.columns, wkt, roads.outlines,
                 "MultiPolygon", "loaded_roads")
         if parameters.get("OUTPUT_OBJECTS"):
-            results["OUTPUT_OBJECTS"] = self.write_layer(
+            results |= self.write_layer(
                 parameters, "OUTPUT_OBJECTS", context, make_fields(*STREET_OBJECTS), things.columns, wkt,
                 things.models, "MultiPolygonZ", "loaded_street_objects")
         return {**results, "BUILDINGS": counts.buildings, "PROBLEMS": counts.with_problems,
@@ -145,7 +145,7 @@ class LoadCityModel(UrbanMapAlgorithm):
         """The layers that are wanted."""
         results = {}
         if parameters.get("OUTPUT_SURFACES"):
-            results["OUTPUT_SURFACES"] = self.write_layer(
+            results |= self.write_layer(
                 parameters, "OUTPUT_SURFACES", context, make_fields(*SURFACES), store.surface_columns, wkt,
                 store.surfaces, "PolygonZ", "building_surfaces", progress.part(0.6, 0.8))
         fields = make_fields(*COLUMNS)
@@ -153,10 +153,10 @@ class LoadCityModel(UrbanMapAlgorithm):
             fields.append(item)  # attributes of the file: they keep their own words
         if parameters.get("OUTPUT_MODELS"):
             columns = {name: [store.columns[name][row] for row in store.modelled] for name in store.columns}
-            results["OUTPUT_MODELS"] = self.write_layer(
+            results |= self.write_layer(
                 parameters, "OUTPUT_MODELS", context, fields, columns, wkt, store.models, "MultiPolygonZ",
                 "loaded_models", progress.part(0.8, 0.9))
-        results["OUTPUT"] = self.write_layer(
+        results |= self.write_layer(
             parameters, "OUTPUT", context, fields, store.columns or {name: [] for name, _ in COLUMNS}, wkt,
             store.outlines, "MultiPolygon",
             "loaded_buildings", progress.part(0.9, 1.0))

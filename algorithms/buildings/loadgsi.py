@@ -106,7 +106,7 @@ class LoadGsi(UrbanMapAlgorithm):
         fields = make_fields("building_id", *((field, "text") for field in FIELDS))
         place = self.write_layer(parameters, "OUTPUT_BUILDINGS", context, fields, columns, crs, buildings.geometries,
                                  "Polygon", "gsi_buildings", progress.part(0.8, 1.0))
-        return {"OUTPUT_BUILDINGS": place, "BUILDINGS": len(buildings), "CRS_NAME": crs.authid() or crs.description()}
+        return {**place, "BUILDINGS": len(buildings), "CRS_NAME": crs.authid() or crs.description()}
 
     def _load_ground(self, parameters, context, paths, progress):
         from ...urbanmap_qgis.io.conversion.reprojection import epsg_wkt, plane_transform

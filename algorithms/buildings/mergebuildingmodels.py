@@ -7,12 +7,11 @@ from contextlib import ExitStack
 from ...urbanmap_qgis.errors import InputError
 from ...urbanmap_qgis.settings.buildings import MergeSettings
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import CITYJSON_FILTER, HTML_FILTER, OBJ_FILTER, tr
+from ..framework.declaring.parameters import CITYJSON_FILTER, OBJ_FILTER, tr
 from ..framework.layers.building_layers import add_gnss_walls, read_buildings, read_gnss_walls
 from ..framework.layers.layers import make_fields
 from ..framework.layers.outlines import BuildingNames, building_names, column, numbers
 from ..framework.layers.overlays import add_orthophoto, orthophoto_pictures
-from ..framework.running.workers import workers
 
 _USABLE = ("ok", "partly seen")
 
@@ -56,8 +55,7 @@ class MergeBuildingModels(UrbanMapAlgorithm):
         self.add_file_output("OUTPUT_MESH", "OBJ mesh", "Wavefront OBJ file, a group for each building.", OBJ_FILTER,
                              optional=True)
         add_orthophoto(self)
-        self.add_file_output("OUTPUT_REPORT", "Report", "What was merged and what not, and edges before and after over "
-                             "the orthophoto, as HTML.", HTML_FILTER, optional=True)
+        self.add_report("What was merged and what not, and edges before and after over the orthophoto, as HTML.")
         self.add_number_output("BUILDINGS", "Buildings", "Number of models.")
         self.add_number_output("MERGED", "Merged", "Buildings with a wall that moved.")
         self.add_number_output("NOT_MERGED", "Not merged", "Buildings that could not be merged.")
@@ -88,7 +86,7 @@ class MergeBuildingModels(UrbanMapAlgorithm):
                                 "result of “Walls from a mobile survey”.").format(walls_table.label))
         settings = self.settings(MergeSettings, parameters, context)
         satellites = read_gnss_walls(self, parameters, context, walls_table.crs, progress)
-        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+        with self.workers(parameters, context) as executor:
             merged = merge_models(names.numbers.tolist(), list(models), walls, settings, executor,
                                   progress.part(0.0, 0.85), satellites)
         columns, edges = merged_columns(merged), edge_columns(merged)
@@ -151,13 +149,13 @@ class MergeBuildingModels(UrbanMapAlgorithm):
 
         results = {}
         if parameters.get("OUTPUT_WALLS"):
-            results["OUTPUT_WALLS"] = self.write_layer(
+            results |= self.write_layer(
                 parameters, "OUTPUT_WALLS", context, None, edges, crs,
                 [edge.wall for building in merged for edge in building.edges], "PolygonZ", "merged_walls",
                 progress.part(0.0, 0.5), names)
         shapes = [multipolygon(building.solids) if building.solids else None for building in merged]
         fields, carried = base
-        results["OUTPUT"] = self.write_layer(
+        results |= self.write_layer(
             parameters, "OUTPUT", context, make_fields(*columns, base=fields), {**carried, **columns}, crs,
             shapes, "MultiPolygonZ", "merged_models", progress.part(0.5, 1.0), names)
         return results

@@ -12,7 +12,6 @@ from ..framework.declaring.parameters import OBJ_FILTER, tr
 from ..framework.layers.layers import make_fields
 from ..framework.layers.outlines import building_names, footprints_of, numbers, open_points
 from ..framework.layers.reprojection import with_heights_of_points
-from ..framework.running.workers import workers
 
 PLY_FILTER = "PLY mesh (*.ply)"
 
@@ -76,7 +75,7 @@ class Mesh25D(UrbanMapAlgorithm):
             given = outline_ground(footprints.polygons, *ground)
             base = np.where(np.isfinite(given), given, base)
         settings = self.settings(MeshSettings, parameters, context)
-        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+        with self.workers(parameters, context) as executor:
             meshes = mesh_buildings(cloud, footprints, base, settings, executor, progress.part(0.0, 0.9))
         columns = mesh_columns(meshes)
         self._tell(meshes, COARSE, progress)
@@ -111,7 +110,7 @@ class Mesh25D(UrbanMapAlgorithm):
                 results["OUTPUT_PLY"] = str(paths["OUTPUT_PLY"])
             progress.step(0.3)
             shapes = [multipolygon([item.mesh]) if item.mesh is not None else None for item in meshes]
-            results["OUTPUT"] = self.write_layer(
+            results |= self.write_layer(
                 parameters, "OUTPUT", context, make_fields(*columns, base=table.fields),
                 {**table.columns, **columns}, table.crs, shapes, "MultiPolygonZ", "building_meshes", progress,
                 building_names(table))

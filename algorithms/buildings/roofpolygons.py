@@ -9,7 +9,6 @@ from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.layers.layers import make_fields
 from ..framework.layers.outlines import building_names, footprints_of, open_points
-from ..framework.running.workers import workers
 
 
 class RoofPolygons(UrbanMapAlgorithm):
@@ -53,7 +52,7 @@ class RoofPolygons(UrbanMapAlgorithm):
         settings = self.settings(PolygonParameters, parameters, context)
         if settings.method == PAPER:
             settings = replace(settings, height=MAXIMUM)
-        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+        with self.workers(parameters, context) as executor:
             roofs = cloud_roof_polygons(cloud, footprints, settings, executor, progress)
         without = int((~np.isin(footprints.ids, roofs.building_id)).sum())
         if without:
@@ -63,7 +62,7 @@ class RoofPolygons(UrbanMapAlgorithm):
         geometries = shapely.force_3d(np.array(roofs.polygon, dtype=object), np.array(roofs.height, float))
         columns = {field.name(): getattr(roofs, field.name()) for field in fields}
         return {
-            "OUTPUT": self.write_layer(parameters, "OUTPUT", context, fields, columns, table.crs, geometries,
+            **self.write_layer(parameters, "OUTPUT", context, fields, columns, table.crs, geometries,
                                        "PolygonZ", "roof_polygons", progress, building_names(table)),
             "ROOFS": len(roofs.polygon), "WITHOUT_ROOFS": without,
         }

@@ -15,7 +15,6 @@ from ..framework.layers.outlines import (
     open_points,
 )
 from ..framework.layers.reprojection import with_heights_of_points
-from ..framework.running.workers import workers
 
 
 class SegmentBuildings(UrbanMapAlgorithm):
@@ -69,7 +68,7 @@ class SegmentBuildings(UrbanMapAlgorithm):
         settings = self.settings(SegmentationParameters, parameters, context)
         ground = self.ground_heights(parameters, "GROUND", context, "FOOTPRINTS", table, progress)
         points = self.output_path(parameters, "OUTPUT", context)
-        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+        with self.workers(parameters, context) as executor:
             buildings = segment_buildings(cloud, footprints, points, settings, ground, executor,
                                           progress.part(0.0, 0.95))
         dates = dated_outlines(cloud, dated_columns(table, BEGINS + ENDS), len(footprints))
@@ -84,7 +83,7 @@ class SegmentBuildings(UrbanMapAlgorithm):
             progress.warn(tr("{0} of {1} buildings have too few points for a model.").format(
                 without, len(footprints)))
         return {
-            "OUTPUT": str(points), "OUTPUT_BUILDINGS": layer,
+            "OUTPUT": str(points), **layer,
             "BUILDINGS": len(footprints), "WITHOUT_POINTS": without, "POINT_COUNT": int(buildings.points.sum()),
         }
 

@@ -8,7 +8,6 @@ from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.layers.layers import make_fields
 from ..framework.layers.outlines import BUILDING_ID, building_names, footprints_of, numbers, open_points
-from ..framework.running.workers import workers
 
 
 class SegmentRoofs(UrbanMapAlgorithm):
@@ -41,7 +40,7 @@ class SegmentRoofs(UrbanMapAlgorithm):
         self.add_layer_output("OUTPUT_ROOFS", "Roofs", "Table of the roofs: building_id, roof_id, height (robust, m), "
                               "height_max (highest point as in the paper, m), points, area (m2), density (points a "
                               "m2), rmse (m), slope (degrees), azimuth (degrees from north, where it falls to), "
-                              "status.", source_type=_table())
+                              "status.", kind="any")
         self.add_number_output("ROOFS", "Roofs", "Number of roofs found.")
         self.add_number_output("WITHOUT_ROOFS", "Buildings without a roof", "Buildings in whose points no roof was "
                                "found.")
@@ -69,7 +68,7 @@ class SegmentRoofs(UrbanMapAlgorithm):
         positive = known[known > 0] if known is not None else np.zeros(0)
         density = float(np.median(positive)) if len(positive) else None
         points = self.output_path(parameters, "OUTPUT", context)
-        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+        with self.workers(parameters, context) as executor:
             roofs = segment_cloud_roofs(cloud, footprints, points, settings, numbers(table, "ground"), density,
                                         executor, progress.part(0.0, 0.95), planes)
         layer = self._write(parameters, context, table, roofs, progress.part(0.95, 1.0))
@@ -77,7 +76,7 @@ class SegmentRoofs(UrbanMapAlgorithm):
         if without:
             progress.warn(tr("{0} of {1} buildings have no roof in their points.").format(without, len(footprints)))
         return {
-            "OUTPUT": str(points), "OUTPUT_ROOFS": layer,
+            "OUTPUT": str(points), **layer,
             "ROOFS": len(roofs.roof_id), "WITHOUT_ROOFS": without,
         }
 
@@ -87,9 +86,3 @@ class SegmentRoofs(UrbanMapAlgorithm):
         columns = {field.name(): getattr(roofs, field.name()) for field in fields}
         return self.write_layer(parameters, "OUTPUT_ROOFS", context, fields, columns, table.crs, progress=progress,
                                 names=building_names(table))
-
-
-def _table():
-    from qgis.core import QgsProcessing
-
-    return QgsProcessing.SourceType.TypeVector

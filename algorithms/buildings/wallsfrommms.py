@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from contextlib import nullcontext
 from dataclasses import replace
-from pathlib import Path
 
 from ...urbanmap_qgis.settings.facades import WallSettings
 from ..framework.base import UrbanMapAlgorithm
@@ -12,11 +11,9 @@ from ..framework.declaring.parameters import tr
 from ..framework.layers.building_layers import read_buildings
 from ..framework.layers.crs import crs_name
 from ..framework.layers.outlines import building_names
-from ..framework.running.workers import workers
-from ..mobile.drives import DriveInputs
 
 
-class WallsFromMms(DriveInputs, UrbanMapAlgorithm):
+class WallsFromMms(UrbanMapAlgorithm):
     ID = "wallsfrommms"
     NAME = "Walls from a mobile survey"
     SOURCE = "Javanmardi, 5.7"
@@ -74,7 +71,7 @@ class WallsFromMms(DriveInputs, UrbanMapAlgorithm):
         path = self.raster_path(parameters, "GROUND", context)
         trajectory = self._trajectory(parameters, context, table, progress)
         with (RasterSampler(path) if path else nullcontext() as ground,
-              workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor):
+              self.workers(parameters, context) as executor):
             if ground is not None:
                 self.same_crs("GROUND", ground.crs_wkt, "BUILDINGS", table.crs)
             walls, counts = find_walls(cloud, plans, self.settings(WallSettings, parameters, context), ground, executor,
@@ -92,7 +89,7 @@ class WallsFromMms(DriveInputs, UrbanMapAlgorithm):
         layer = self.write_layer(parameters, "OUTPUT", context, None, columns, table.crs,
                                  [wall.contour for wall in walls], "PolygonZ", "facade_walls", progress.part(0.95, 1.0),
                                  building_names(table))
-        return {"OUTPUT": layer, "WALLS": len(walls), "BUILDINGS_WITH_WALLS": counts.with_walls,
+        return {**layer, "WALLS": len(walls), "BUILDINGS_WITH_WALLS": counts.with_walls,
                 "BUILDINGS_NEAR": counts.near, "AREA": float(sum(columns["area"])),
                 "MEDIAN_SIGMA": float(np.median(columns["sigma"])) if walls else None}
 
@@ -112,10 +109,6 @@ class WallsFromMms(DriveInputs, UrbanMapAlgorithm):
 
     def _trajectory(self, parameters, context, table, progress):
         """One trajectory of all that were given, None where there is none."""
-        from ...urbanmap_qgis.mobile.trajectory import joined_trajectory
-
-        if not any(self.parameterAsFileList(parameters, "TRAJECTORY", context)):
+        if not self.files_of(parameters, "TRAJECTORY", context):
             return None
-        read = self.read_trajectories(parameters, context, table.crs_wkt, progress)
-        names = [Path(text.split("|")[0]).name for text in self.trajectory_texts(parameters, context)]
-        return joined_trajectory([item.trajectory for item in read], names)
+        return self.joined_trajectory(parameters, context, table.crs_wkt, progress)

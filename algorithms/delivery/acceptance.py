@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from qgis.core import QgsProcessing
-
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.declaring.parameters import tr
 from .control_residuals import ControlResiduals
 from .edge_runs import EdgeRuns
 
@@ -54,8 +52,7 @@ class Acceptance(ControlResiduals, EdgeRuns, UrbanMapAlgorithm):
                         "trajectory. Without check points nothing is judged.", optional=True)
         self.add_survey()
         self.add_vector("BUILDINGS", "Building models", "MultiPolygonZ with all faces of each building: edges to be "
-                        "surveyed are drawn from them.", optional=True,
-                        source_type=QgsProcessing.SourceType.TypeVectorPolygon)
+                        "surveyed are drawn from them.", optional=True, kind="polygon")
         self.add_points("POINTS", "Laser points of the edges", "LAS, LAZ or COPC files in the CRS of the models, in "
                         "which edges of the building models are looked for; not together with check points.",
                         optional=True)
@@ -84,8 +81,7 @@ class Acceptance(ControlResiduals, EdgeRuns, UrbanMapAlgorithm):
         for name, label in JOB.items():
             self.add_text(name.upper(), label, "For the head of the report; what is left out stays blank, to be filled "
                           "in by hand.")
-        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report, which prints on A4.", HTML_FILTER, optional=True,
-                             by_default=True)
+        self.add_report("HTML report, which prints on A4.", by_default=True)
         self.add_file_output("OUTPUT_PDF", "Report as PDF", "The same as PDF pages of A4, made by QGIS's printing.",
                              "PDF (*.pdf)", optional=True)
         self.add_file_output("OUTPUT_EDGES", "Edges to be surveyed", "Both ends of the drawn edges with their place in "

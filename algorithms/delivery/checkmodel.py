@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from collections import Counter
 
-from qgis.core import QgsProcessing
-
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.declaring.parameters import tr
 from ..framework.layers.layers import make_fields
-from ..framework.running.workers import workers
 
 CSV_FILTER = "CSV (*.csv)"
 MODELS_FILTER = "City models and lane maps (*.gml *.GML *.zip *.osm);;All files (*)"
@@ -54,15 +51,13 @@ class CheckModel(UrbanMapAlgorithm):
         self.add_layer_output("OUTPUT", "Faults", "Points (longitude, latitude): rule (its code), severity (error, "
                               "warning, info), text, source of the rule; of a city model also requirement (code of the "
                               "specification), file, type and gml_id of the feature, lod (-1 without); of a map also "
-                              "element. Faults without a place have no geometry.",
-                              source_type=QgsProcessing.SourceType.TypeVectorPoint)
+                              "element. Faults without a place have no geometry.", kind="point")
         self.add_file_output("OUTPUT_TABLE", "Table of results", "CSV, a line a file: its size and the number of "
                              "faults of each rule; of city models only.", CSV_FILTER, optional=True)
         self.add_file_output("OUTPUT_COUNTS", "Table of instances", "CSV, a line a file: the number of features of "
                              "each type, to be compared with the reference data (C02); of city models only.",
                              CSV_FILTER, optional=True)
-        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: numbers by rule or requirement, verdicts, the "
-                             "faults, what is not checked.", HTML_FILTER, optional=True)
+        self.add_report("HTML report: numbers by rule or requirement, verdicts, the faults, what is not checked.")
         self.add_number_output("OBJECTS", "City objects", "Number of city objects in the files.")
         self.add_number_output("LANELETS", "Lanelets", "Number of lanelets in the file.")
         self.add_number_output("ERRORS", "Errors", "Number of errors.")
@@ -94,7 +89,7 @@ class CheckModel(UrbanMapAlgorithm):
         from ...urbanmap_qgis.citymodel.checks.city_check import check_city
         from ...urbanmap_qgis.citymodel.checks.quality_forms import quality_report, write_counts, write_results
 
-        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+        with self.workers(parameters, context) as executor:
             found = check_city(paths, check_solid, codes, progress.part(0.0, 0.9), executor)
         results = self._faults(parameters, context, found.faults, CITY_FIELDS,
                                "EPSG:6668" if found.geographic else found.plane, "city_faults", progress)
@@ -132,7 +127,7 @@ class CheckModel(UrbanMapAlgorithm):
                                  {name: [getattr(fault, name) for fault in faults] for name, _ in fields}, crs, places,
                                  "Point", style=style, progress=progress.part(0.9, 1.0))
         counts = Counter(fault.severity for fault in faults)
-        return {"OUTPUT": layer, "ERRORS": counts["error"], "WARNINGS": counts["warning"]}
+        return {**layer, "ERRORS": counts["error"], "WARNINGS": counts["warning"]}
 
     def _write_map_report(self, path, faults, lanelets):
         from ...urbanmap_qgis.io.pages.report import BAD, GOOD, LOOK, Report

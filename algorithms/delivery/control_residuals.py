@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from qgis.core import QgsProcessing
-
 from ..framework.declaring.parameters import HTML_FILTER, tr
 from ..framework.layers.layers import make_fields
 from ..mobile.control_points import CRS_HELP, read_check_points
@@ -33,8 +31,7 @@ class ControlResiduals:
     def add_survey_outputs(self) -> None:
         """Declare what is told of control points."""
         self.add_layer_output("OUTPUT", "Residuals", "One point at each control point, with the error before and after "
-                              "(m, east, north, up, in plan and in space).", optional=True,
-                              source_type=QgsProcessing.SourceType.TypeVectorPoint)
+                              "(m, east, north, up, in plan and in space).", optional=True, kind="point")
         self.add_file_output("OUTPUT_ERRORS", "Report of the residuals", "Figures, errors over time, the worst "
                              "points.", HTML_FILTER, optional=True)
         for name, label in FIGURES.items():
@@ -92,7 +89,7 @@ class ControlResiduals:
         columns, places = _residual_columns(used, list(errors.values()))
         if parameters.get("OUTPUT"):
             fields = make_fields("id", *((name, "real") for name in columns if name != "id"))
-            results["OUTPUT"] = self.write_layer(
+            results |= self.write_layer(
                 parameters, "OUTPUT", context, fields, columns, crs or reported.crs_wkt or "", places, "PointZ",
                 style="control_residuals", progress=progress)
         results |= self.write_file(parameters, "OUTPUT_ERRORS", context, write_accuracy_report, used, errors, left_out,

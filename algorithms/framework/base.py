@@ -9,6 +9,7 @@ from types import MappingProxyType
 
 from qgis.core import (
     QgsApplication,
+    QgsProcessing,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
     QgsProcessingException,
@@ -26,7 +27,7 @@ from .declaring.parameters import is_optional, text_table, tr
 from .declaring.retired import of_today, succession
 from .layers import crs as crs_checks
 from .layers import layers, reprojection, shown_results
-from .layers.trajectories import TrajectoryParameters, trajectory_exists
+from .layers.trajectories import TrajectoryParameters
 from .packages.dependencies import refusal
 from .running.cluster import scheduler
 from .running.interrupt import signals_cancel
@@ -278,15 +279,12 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
             if name in self.points_names():
                 self.point_files(parameters, name, context)
             elif name in self.trajectory_names():
-                self._check_trajectory(parameters, name, context)
+                self.check_trajectory(parameters, name, context)
             elif definition.type() == "file":
                 self.input_path(parameters, name, context)
+            elif definition.type() == "multilayer" and definition.layerType() == QgsProcessing.SourceType.TypeFile:
+                self.files_of(parameters, name, context)
         self.check(parameters, context)
-
-    def _check_trajectory(self, parameters: Mapping, name: str, context: QgsProcessingContext) -> None:
-        text = self.parameterAsFile(parameters, name, context)
-        if text and not trajectory_exists(text, context):
-            raise InputError(tr("{0}: {1} does not exist; check its name.").format(self.label_of(name), text))
 
     # Reading parameters
 
@@ -408,10 +406,10 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
     # Layers
 
     def read_vector(self, parameters: Mapping, name: str, context: QgsProcessingContext,
-                    progress: Progress = SILENT, extent=None) -> layers.VectorTable | None:
+                    progress: Progress = SILENT) -> layers.VectorTable | None:
         """A vector layer or table in memory; None where an optional one was not given."""
         source = self._source(parameters, name, context)
-        return source and layers.read_source(source, self.label_of(name), progress, extent)
+        return source and layers.read_source(source, self.label_of(name), progress)
 
     def read_table(self, parameters: Mapping, name: str, context: QgsProcessingContext, columns_of: Callable,
                    progress: Progress = SILENT) -> layers.VectorTable | None:
@@ -425,10 +423,10 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         return layers.table_of_columns(columns_of(text), Path(text).name)
 
     def read_polygons(self, parameters: Mapping, name: str, context: QgsProcessingContext,
-                      progress: Progress = SILENT, extent=None) -> layers.VectorTable | None:
+                      progress: Progress = SILENT) -> layers.VectorTable | None:
         """Polygons in a projected CRS in metres, that of the points where there are any; see `layers`."""
         source = self._source(parameters, name, context)
-        return source and layers.read_polygon_source(source, self.label_of(name), progress, extent,
+        return source and layers.read_polygon_source(source, self.label_of(name), progress,
                                                      reprojection.points_wkt(self, parameters, context))
 
     def ground_heights(self, parameters: Mapping, name: str, context: QgsProcessingContext, layer_name: str,
@@ -465,8 +463,8 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
 
     def write_layer(self, parameters: Mapping, name: str, context: QgsProcessingContext, fields, columns, crs,
                     geometries=None, geometry_type: str = "NoGeometry", style: str = "",
-                    progress: Progress = SILENT, names=None) -> str | None:
-        """Write an output layer when all is computed; see `layers.write_layer`.
+                    progress: Progress = SILENT, names=None) -> dict[str, str]:
+        """Write an output layer where it is wanted, when all is computed; its place by the output's name.
 
         `fields` : None for those of the columns, which are all ours. `names` (`outlines.BuildingNames`) puts the user's
         own ids in the place of the buildings' numbers.
@@ -475,8 +473,9 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
             fields = layers.make_fields(*columns, style=style)
         if names is not None:
             fields, columns = names.fields(fields), names.columns(columns)
-        return layers.write_layer(self, parameters, name, context, fields, columns, crs, geometries,
-                                  geometry_type, style, progress)
+        place = layers.write_layer(self, parameters, name, context, fields, columns, crs, geometries, geometry_type,
+                                   style, progress)
+        return {name: place} if place else {}
 
     def same_crs(self, name_a: str, crs_a, name_b: str, crs_b) -> None:
         """Refuse two inputs in different CRS, naming both by their labels; a CRS is QGIS's or WKT."""

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from qgis.core import QgsProcessing
-
 from ...urbanmap_qgis.settings.gnss import AdjustmentSettings, TraceSettings
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.declaring.parameters import tr
 from ..framework.layers.layers import make_fields
 from ..framework.layers.overlays import add_orthophoto, orthophoto_pictures
 from .inputs import GnssInputs
@@ -38,14 +36,13 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
                               solids=True)
         self.add_layer_output("OUTPUT_WALLS", "Walls", "LineStringZ where each wall now stands: building, edge, status "
                               "(adjusted, likely, not observable, held), reason why it is not adjusted, offset and "
-                              "sigma (m, outwards), applied (m "
-                              "moved), observations, signals, satellites, passes, on_time (share of the observations "
-                              "that are neither NLOS-delayed nor outliers), distance (m to the nearest antenna), "
-                              "length, low, top (m).",
-                              source_type=QgsProcessing.SourceType.TypeVectorLine, optional=True, by_default=True)
+                              "sigma (m, outwards), applied (m moved), observations, signals, satellites, passes, "
+                              "on_time (share of the observations that are neither NLOS-delayed nor outliers), "
+                              "distance (m to the nearest antenna), length, low, top (m).", optional=True,
+                              by_default=True, kind="line")
         add_orthophoto(self)
-        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: sky plot, residuals by class against prediction, "
-                             "walls before and after, what to distrust.", HTML_FILTER, optional=True, by_default=True)
+        self.add_report("HTML report: sky plot, residuals by class against prediction, walls before and after, what to "
+                        "distrust.", by_default=True)
         self.add_number_output("WALLS", "Walls", "Number of walls.")
         self.add_number_output("ADJUSTED", "Adjusted", "Walls whose own observations decide where they stand.")
         self.add_number_output("LIKELY", "Likely", "Walls that were moved by observations that are few or contradict "
@@ -54,9 +51,6 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
         self.add_number_output("PASSES", "Passes", "Observation files with usable signals.")
         self.add_number_output("MEDIAN_SIGMA", "Median sigma", "Of the offsets of the adjusted walls.", "m")
         self.add_number_output("MEDIAN_OFFSET", "Median offset", "Size of the offsets of the adjusted walls.", "m")
-
-    def check(self, parameters, context):
-        self.check_gnss_inputs(parameters, context)
 
     def compute(self, parameters, context, feedback):
         import numpy as np
@@ -80,16 +74,12 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
         if not result.walls.is_moved.any():
             progress.warn(tr("No wall was moved: the observations do not decide; the field “reason” of the walls tells "
                              "why."))
-        report = self.output_path(parameters, "OUTPUT_REPORT", context)
-        if report:
-            write_adjustment_report(report, signals, result, buildings.names, table.geometries, orthophoto_pictures(
-                self, parameters, context, table.crs, "BUILDINGS", table.geometries, result.shapes))
-        walls = None
-        if parameters.get("OUTPUT_WALLS"):
-            walls = self.write_layer(parameters, "OUTPUT_WALLS", context, None,
-                                     adjusted_wall_columns(result, buildings.names), table.crs,
-                                     wall_lines(result, signals), "LineStringZ", "gnss_walls",
-                                     progress.part(0.95, 0.97))
+        report = self.write_file(parameters, "OUTPUT_REPORT", context, lambda path: write_adjustment_report(
+            path, signals, result, buildings.names, table.geometries, orthophoto_pictures(
+                self, parameters, context, table.crs, "BUILDINGS", table.geometries, result.shapes)))
+        walls = self.write_layer(parameters, "OUTPUT_WALLS", context, None,
+                                 adjusted_wall_columns(result, buildings.names), table.crs,
+                                 wall_lines(result, signals), "LineStringZ", "gnss_walls", progress.part(0.95, 0.97))
         extra = building_columns(result, buildings.building)
         layer = self.write_layer(
             parameters, "OUTPUT", context,
@@ -97,9 +87,8 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
             {**table.columns, **extra}, table.crs, result.shapes, geometry_type(result.shapes), "gnss_buildings",
             progress.part(0.97, 1.0))
         sizes = np.abs(result.walls.offset[adjusted])
-        return {"OUTPUT": layer, **({"OUTPUT_WALLS": walls} if walls else {}),
-                **({"OUTPUT_REPORT": str(report)} if report else {}), "WALLS": len(adjusted),
-                "ADJUSTED": int(adjusted.sum()), "LIKELY": likely, "OBSERVATIONS_USED": len(result.observations),
+        return {**layer, **walls, **report, "WALLS": len(adjusted), "ADJUSTED": int(adjusted.sum()),
+                "LIKELY": likely, "OBSERVATIONS_USED": len(result.observations),
                 "PASSES": len(np.unique(signals.epochs.source[signals.epoch])),
                 "MEDIAN_SIGMA": float(np.median(result.walls.sigma[adjusted])) if adjusted.any() else None,
                 "MEDIAN_OFFSET": float(np.median(sizes)) if adjusted.any() else None}

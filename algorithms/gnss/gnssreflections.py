@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-from qgis.core import QgsProcessing
-
 from ...urbanmap_qgis.settings.gnss import TraceSettings
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import HTML_FILTER
 from .inputs import GnssInputs
 
 
@@ -34,11 +31,9 @@ class GnssReflections(GnssInputs, UrbanMapAlgorithm):
                           advanced=True)
         self.add_layer_output("OUTPUT", "Rays", "LineStringZ: time, pass, satellite, system, kind (LOS, NLOS, "
                               "reflected), sure, elevation, azimuth (degrees, from grid north), cn0, excess (predicted "
-                              "excess path, m), residual (m), difference (residual minus excess), reflections "
-                              "(number of walls that can have reflected it), building, edge (of the wall).",
-                              source_type=QgsProcessing.SourceType.TypeVectorLine)
-        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: sky plot, residuals by class against prediction, "
-                             "what to distrust.", HTML_FILTER, optional=True)
+                              "excess path, m), residual (m), difference (residual minus excess), reflections (number "
+                              "of walls that can have reflected it), building, edge (of the wall).", kind="line")
+        self.add_report("HTML report: sky plot, residuals by class against prediction, what to distrust.")
         self.add_number_output("SIGNALS", "Signals", "Number of signals.")
         self.add_number_output("LOS", "In line of sight", "Number of signals.")
         self.add_number_output("NLOS", "Blocked", "Number of signals without a single wall to reflect them.")
@@ -47,9 +42,6 @@ class GnssReflections(GnssInputs, UrbanMapAlgorithm):
         self.add_number_output("LOS_IQR", "Quartile range in line of sight", "Of the residuals.", "m")
         self.add_number_output("WITHIN_5", "Within 5 m", "Share of the reflected signals within 5 m of prediction.")
         self.add_number_output("WITHIN_10", "Within 10 m", "Share of the reflected signals within 10 m of prediction.")
-
-    def check(self, parameters, context):
-        self.check_gnss_inputs(parameters, context)
 
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.gnss.rays.ray_lines import ray_columns, ray_lines, ray_statistics, thinned
@@ -66,15 +58,14 @@ class GnssReflections(GnssInputs, UrbanMapAlgorithm):
                                            progress.part(0.4, 0.8))
         figures = ray_statistics(signals, paths, corrected)
         rows = thinned(signals, self.parameterAsDouble(parameters, "EVERY", context))
-        report = self.output_path(parameters, "OUTPUT_REPORT", context)
-        if report:
-            write_reflection_report(report, signals, paths, corrected, figures)
+        report = self.write_file(parameters, "OUTPUT_REPORT", context, write_reflection_report, signals, paths,
+                                 corrected, figures)
         layer = self.write_layer(
             parameters, "OUTPUT", context, None,
             ray_columns(walls, buildings.names, signals, paths, corrected, rows), buildings.table.crs,
             ray_lines(signals, paths, rows, self.parameterAsDouble(parameters, "LENGTH", context)), "LineStringZ",
             "gnss_rays", progress.part(0.8, 1.0))
-        return {"OUTPUT": layer, **({"OUTPUT_REPORT": str(report)} if report else {}), "SIGNALS": len(signals),
+        return {**layer, **report, "SIGNALS": len(signals),
                 "LOS": figures.count[LOS], "NLOS": figures.count[NLOS], "REFLECTED": figures.count[REFLECTED],
                 "LOS_MEDIAN": _number(figures.los_median), "LOS_IQR": _number(figures.los_iqr),
                 "WITHIN_5": _number(figures.within_5), "WITHIN_10": _number(figures.within_10)}

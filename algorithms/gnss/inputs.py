@@ -6,15 +6,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from qgis.core import QgsProcessing, QgsProcessingContext, QgsProcessingParameterMultipleLayers
+from qgis.core import QgsProcessingContext
 
 from ...urbanmap_qgis.errors import InputError
 from ...urbanmap_qgis.progress import Progress
 from ...urbanmap_qgis.settings.gnss import SignalSettings, TraceSettings
-from ..framework.declaring.parameters import Declarations, tr
+from ..framework.declaring.parameters import tr
 from ..framework.layers.building_layers import read_buildings
 from ..framework.layers.outlines import numbers
-from ..framework.layers.trajectories import trajectory_exists, trajectory_of
+from ..framework.layers.trajectories import TrajectoryParameters
 
 TOP_FIELDS, BASE_FIELDS = ("z_top", "top"), ("z_base", "base", "z_low")
 BUILDING_FIELDS = ("building_id", "building", "building_i")  # the last as a shapefile cuts it
@@ -32,33 +32,37 @@ class BuildingInput:
     names: object
 
 
-class GnssInputs(Declarations):
+class GnssInputs(TrajectoryParameters):
     """Methods with which an algorithm declares and reads the inputs of the GNSS part."""
 
     def add_gnss_inputs(self) -> None:
         """BUILDINGS, TRAJECTORY, OBSERVATIONS, NAVIGATION and what goes with them."""
-        self.add_polygons("BUILDINGS", "Buildings", "Building models (MultiPolygonZ, such as those of “Building "
-                          "models”) or outlines with heights, in a projected CRS in metres.")
-        self._add_files("TRAJECTORY", "Trajectories", "Where the receiver was, in the CRS of the buildings: one or "
-                        "several files (CSV time,x,y,z,roll,pitch,heading, SBET, or point layers).")
-        self._add_files("OBSERVATIONS", "Observations", "RINEX 2.11, 3.x or 4.x observation files, plain or compact "
-                        "(Hatanaka), as they are or packed by gzip or bzip2; each file is a pass.")
-        self._add_files("NAVIGATION", "Navigation", "RINEX navigation files or SP3 orbits of the same days.")
+        self.add_gnss_buildings()
+        self.add_files("TRAJECTORY", "Trajectories", "Where the receiver was, in the CRS of the buildings: one or "
+                       "several files (CSV time,x,y,z,roll,pitch,heading, SBET, or point layers).")
+        self.add_files("OBSERVATIONS", "Observations", "RINEX 2.11, 3.x or 4.x observation files, plain or compact "
+                       "(Hatanaka), as they are or packed by gzip or bzip2; each file is a pass.")
+        self.add_files("NAVIGATION", "Navigation", "RINEX navigation files or SP3 orbits of the same days.")
         self.add_number("GEOID_SEPARATION", "Geoid separation", "Ellipsoidal height minus the trajectory's height; 0 "
                         "where the trajectory has ellipsoidal heights. Left empty, it is estimated from the "
                         "satellites.",
                         None, -120.0, 120.0, unit="m", optional=True)
         self.add_settings(SignalSettings, "elevation_mask")
-        self.add_text("LEVER_ARM", "Lever arm of the antenna", "Antenna in the vehicle's body: forward, right, down, "
-                      "in metres from the trajectory's origin.", "0, 0, 0", advanced=True)
-        self.add_building_fields()
+        self.add_antenna()
         self.add_settings(TraceSettings)
         self.add_text("SYSTEMS", "Satellite systems", "Letters of those that are used: G GPS, R GLONASS, E Galileo, C "
                       "BeiDou, J QZSS.", "GRECJ", advanced=True)
         self.add_settings(SignalSettings)
 
-    def add_building_fields(self) -> None:
-        """The fields of BUILDINGS that tell which building a feature is part of, and heights."""
+    def add_gnss_buildings(self) -> None:
+        """BUILDINGS."""
+        self.add_polygons("BUILDINGS", "Buildings", "Building models (MultiPolygonZ, such as those of “Building "
+                          "models”) or outlines with heights, in a projected CRS in metres.")
+
+    def add_antenna(self) -> None:
+        """LEVER_ARM, and the fields of BUILDINGS that tell which building a feature is part of, and heights."""
+        self.add_text("LEVER_ARM", "Lever arm of the antenna", "Antenna in the vehicle's body: forward, right, down, "
+                      "in metres from the trajectory's origin.", "0, 0, 0", advanced=True)
         self.add_field("BUILDING_FIELD", "Field with the building", "Features with the same value are one building. "
                        "Left empty, building_id or building is taken where it exists.", "BUILDINGS", advanced=True)
         self.add_field("TOP_FIELD", "Field with the height of the top", "Height of the top of the walls, m, in the "
@@ -68,17 +72,8 @@ class GnssInputs(Declarations):
                        "it the walls of outlines reach down without end. z_base is found by itself.", "BUILDINGS",
                        advanced=True)
 
-    def check_gnss_inputs(self, parameters: Mapping, context: QgsProcessingContext) -> None:
-        """Refuse files that do not exist and a lever arm that is none."""
-        for name in ("OBSERVATIONS", "NAVIGATION"):
-            for text in self._files(parameters, name, context):
-                if not Path(text).is_file():
-                    raise InputError(tr("{0}: the file {1} does not exist; check its name.").format(
-                        self.label_of(name), text))
-        for text in self._files(parameters, "TRAJECTORY", context):
-            if not trajectory_exists(text, context):
-                raise InputError(tr("{0}: the file {1} does not exist; check its name.").format(
-                    self.label_of("TRAJECTORY"), text))
+    def check(self, parameters: Mapping, context: QgsProcessingContext) -> None:
+        """Refuse a lever arm that is none."""
         self._lever_arm(parameters, context)
 
     def read_gnss_buildings(self, parameters: Mapping, context: QgsProcessingContext,
@@ -98,50 +93,24 @@ class GnssInputs(Declarations):
             heights.append(numbers(table, field) if field else None)
         return BuildingInput(table, building, *heights, np.array(list(first), object))
 
-    def read_trajectories(self, parameters: Mapping, context: QgsProcessingContext, crs_wkt: str, progress: Progress):
-        """One trajectory of all that were given, in the CRS of the buildings."""
-        from ...urbanmap_qgis.mobile.trajectory import joined_trajectory
-
-        return joined_trajectory(*self._each_trajectory(parameters, context, crs_wkt, progress))
-
-    def _each_trajectory(self, parameters: Mapping, context: QgsProcessingContext, crs_wkt: str, progress: Progress):
-        """The trajectories that were given, and their files' names."""
-        names = self._files(parameters, "TRAJECTORY", context)
-        read = [trajectory_of(text, self.label_of("TRAJECTORY"), context, crs_wkt) for text in names]
-        for item in read:
-            if item.format == "layer" and item.crs_wkt:
-                self.same_crs("TRAJECTORY", item.crs_wkt, "BUILDINGS", crs_wkt)
-            for note in item.notes:
-                progress.warn(note)
-        return [item.trajectory for item in read], [Path(text).name for text in names]
-
     def read_signals(self, parameters: Mapping, context: QgsProcessingContext, buildings: BuildingInput,
                      progress: Progress):
         """The core's `Signals` of all observation files."""
         from ...urbanmap_qgis.gnss.signals.passes import load_passes
 
         wkt = buildings.table.crs_wkt
-        trajectories, names = self._each_trajectory(parameters, context, wkt, progress)
+        read = self.read_trajectories(parameters, context, wkt, progress, "BUILDINGS")
+        names = [Path(text).name for text in self.files_of(parameters, "TRAJECTORY", context)]
         separation = (None if parameters.get("GEOID_SEPARATION") is None
                       else self.parameterAsDouble(parameters, "GEOID_SEPARATION", context))
         settings = self.settings(SignalSettings, parameters, context, lever_arm=self._lever_arm(parameters, context),
                                  systems=self.parameterAsString(parameters, "SYSTEMS", context).upper())
-        signals = load_passes(self._files(parameters, "OBSERVATIONS", context),
-                              self._files(parameters, "NAVIGATION", context), trajectories, names, wkt,
-                              separation, settings, progress)
+        signals = load_passes(self.files_of(parameters, "OBSERVATIONS", context),
+                              self.files_of(parameters, "NAVIGATION", context), [item.trajectory for item in read],
+                              names, wkt, separation, settings, progress)
         for reason, count in signals.left_out.items():
             progress.message(tr("{0} observations left out: {1}").format(count, reason))
         return signals
-
-    def _add_files(self, name: str, label: str, help: str) -> None:
-        self.declare_parameter(QgsProcessingParameterMultipleLayers(
-            name, tr(label), QgsProcessing.SourceType.TypeFile, None, False), help)
-
-    def _files(self, parameters: Mapping, name: str, context: QgsProcessingContext) -> list[str]:
-        texts = list(dict.fromkeys(text for text in self.parameterAsFileList(parameters, name, context) if text))
-        if not texts:
-            raise InputError(tr("{0}: no file was given.").format(self.label_of(name)))
-        return texts
 
     def _field(self, parameters: Mapping, name: str, context: QgsProcessingContext, table, known) -> str:
         """The field chosen, or the first known one that the layer has; empty if neither."""

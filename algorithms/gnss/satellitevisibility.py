@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
-from qgis.core import QgsProcessing, QgsProcessingParameterExtent, QgsProcessingParameterMultipleLayers
+from qgis.core import QgsProcessingParameterExtent
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.layers.layers import make_fields
-from ..framework.layers.trajectories import trajectory_exists
 from .inputs import GnssInputs
 
 SYSTEM_FIELDS = {"gps": "G", "glonass": "R", "galileo": "E", "beidou": "C", "qzss": "J"}
@@ -34,13 +31,11 @@ class SatelliteVisibility(GnssInputs, UrbanMapAlgorithm):
     )
 
     def declare(self):
-        self.add_polygons("BUILDINGS", "Buildings", "Building models (MultiPolygonZ, such as those of “Building "
-                          "models”) or outlines with heights, in a projected CRS in metres.")
-        self._add_files("NAVIGATION", "Navigation", "RINEX navigation files or SP3 orbits of the day.")
-        self.declare_parameter(QgsProcessingParameterMultipleLayers(
-            "TRAJECTORY", tr("Trajectories"), QgsProcessing.SourceType.TypeFile, None, True),
-            "Drives along which to count, in the CRS of the buildings: CSV time,x,y,z,roll,pitch,heading, SBET, or "
-            "point layers. Left empty, an area is filled.")
+        self.add_gnss_buildings()
+        self.add_files("NAVIGATION", "Navigation", "RINEX navigation files or SP3 orbits of the day.")
+        self.add_files("TRAJECTORY", "Trajectories", "Drives along which to count, in the CRS of the buildings: CSV "
+                       "time,x,y,z,roll,pitch,heading, SBET, or point layers. Left empty, an area is filled.",
+                       optional=True)
         self.add_text("TIME", "Time", "Time in UTC for an area, such as 2024-04-18 02:30:00; a trajectory has times of "
                       "its own.")
         self.declare_parameter(QgsProcessingParameterExtent("EXTENT", tr("Area"), None, True),
@@ -56,13 +51,10 @@ class SatelliteVisibility(GnssInputs, UrbanMapAlgorithm):
                         80.0, unit="degrees")
         self.add_text("SYSTEMS", "Satellite systems", "Letters of those that are counted: G GPS, R GLONASS, E Galileo, "
                       "C BeiDou, J QZSS.", "GRECJ")
-        self.add_text("LEVER_ARM", "Lever arm of the antenna", "Antenna in the vehicle's body: forward, right, down, "
-                      "in metres from the trajectory's origin.", "0, 0, 0", advanced=True)
-        self.add_building_fields()
+        self.add_antenna()
         self.add_layer_output("OUTPUT", "Visible satellites", "PointZ: time (of the trajectory, or GPS seconds), "
                               "satellites (in line of sight), gps, glonass, galileo, beidou, qzss (of them), above "
-                              "(satellites above the mask, hidden ones too), pdop.",
-                              source_type=QgsProcessing.SourceType.TypeVectorPoint)
+                              "(satellites above the mask, hidden ones too), pdop.", kind="point")
         self.add_raster_output("OUTPUT_RASTER", "Visible satellites over the area", "Number of satellites in line of "
                                "sight; no value inside buildings. Only without a trajectory.", optional=True)
         self.add_number_output("MEAN", "Mean", "Satellites in line of sight, mean over the places.")
@@ -73,22 +65,14 @@ class SatelliteVisibility(GnssInputs, UrbanMapAlgorithm):
         self.add_number_output("SATELLITES", "Satellites", "Number of different satellites above the mask.")
 
     def check(self, parameters, context):
-        drives = [text for text in self.parameterAsFileList(parameters, "TRAJECTORY", context) if text]
-        for text in self._files(parameters, "NAVIGATION", context):
-            if not Path(text).is_file():
-                raise InputError(tr("{0}: the file {1} does not exist; check its name.").format(
-                    self.label_of("NAVIGATION"), text))
-        for text in drives:
-            if not trajectory_exists(text, context):
-                raise InputError(tr("{0}: the file {1} does not exist; check its name.").format(
-                    self.label_of("TRAJECTORY"), text))
+        drives = self.files_of(parameters, "TRAJECTORY", context)
         time = self.parameterAsString(parameters, "TIME", context).strip()
         if not drives and not time:
             raise InputError(tr("Give a trajectory, or a time for an area."))
         if drives and parameters.get("OUTPUT_RASTER"):
             raise InputError(tr("{0}: a raster is made of an area only; leave out the trajectory or it.").format(
                 self.label_of("OUTPUT_RASTER")))
-        self._lever_arm(parameters, context)
+        super().check(parameters, context)
 
     def compute(self, parameters, context, feedback):
         import numpy as np
@@ -103,14 +87,14 @@ class SatelliteVisibility(GnssInputs, UrbanMapAlgorithm):
         buildings = self.read_gnss_buildings(parameters, context, progress)
         table = buildings.table
         walls = building_walls(table.geometries, buildings.building, buildings.top, buildings.base)
-        navigation = read_navigation(self._files(parameters, "NAVIGATION", context))
+        navigation = read_navigation(self.files_of(parameters, "NAVIGATION", context))
         for note in navigation.notes:
             progress.warn(note)
         settings = SkySettings(self.parameterAsString(parameters, "SYSTEMS", context).upper(),
                                self.parameterAsDouble(parameters, "ELEVATION_MASK", context))
         progress.step(0.05)
         inputs = (WallObstacles.of(walls), walls, navigation, table, settings, progress.part(0.05, 0.9))
-        along = any(self.parameterAsFileList(parameters, "TRAJECTORY", context))
+        along = self.files_of(parameters, "TRAJECTORY", context)
         time, place, seen, raster = (self._along if along else self._over)(parameters, context, *inputs)
         columns = {"time": time, "satellites": seen.satellites, "above": seen.above, "pdop": seen.pdop}
         columns |= {field: seen.by_system.get(letter, np.full(len(time), np.nan))
@@ -123,14 +107,14 @@ class SatelliteVisibility(GnssInputs, UrbanMapAlgorithm):
             progress.warn(tr("{0} of {1} places lie inside buildings and have no number.").format(
                 int((~outside).sum()), len(outside)))
         share = _share if outside.any() else lambda _values: None
-        return {"OUTPUT": layer, **({"OUTPUT_RASTER": raster} if raster else {}), "SATELLITES": len(seen.names),
+        return {**layer, **({"OUTPUT_RASTER": raster} if raster else {}), "SATELLITES": len(seen.names),
                 "MEAN": share(seen.satellites[outside]), "FEWER_THAN_4": share(seen.satellites[outside] < 4),
                 "WITHOUT_POSITION": share(np.isnan(seen.pdop[outside]))}
 
     def _along(self, parameters, context, obstacles, _walls, navigation, table, settings, progress):
         from ...urbanmap_qgis.gnss.rays.visibility import visibility_along
 
-        trajectory = self.read_trajectories(parameters, context, table.crs_wkt, progress)
+        trajectory = self.joined_trajectory(parameters, context, table.crs_wkt, progress)
         time, place, seen = visibility_along(
             obstacles, navigation, trajectory, table.crs_wkt, settings, self._lever_arm(parameters, context),
             self.parameterAsDouble(parameters, "EVERY", context), progress)

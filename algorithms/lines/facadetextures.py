@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from qgis.core import QgsProcessing
-
 from ...urbanmap_qgis.errors import InsufficientDataError
 from ...urbanmap_qgis.settings.lines import TextureSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.layers.layers import make_fields
 from ..framework.layers.outlines import column
-from ..framework.running.workers import workers
 from .image_sources import add_images, check_images, image_sources
 
 MODEL_FILTER = "glTF binary (*.glb);;Wavefront OBJ (*.obj);;CityJSON (*.city.json *.json)"
@@ -34,8 +31,7 @@ class FacadeTextures(UrbanMapAlgorithm):
     def declare(self):
         add_images(self)
         self.add_vector("BUILDINGS", "Building models", "MultiPolygonZ with all faces of each building, such as those "
-                        "of “Building models”; the field building_id names them.",
-                        source_type=QgsProcessing.SourceType.TypeVectorPolygon)
+                        "of “Building models”; the field building_id names them.", kind="polygon")
         self.add_points("POINTS", "Laser points", "Points of the survey; what stands before a facade hides it.", True)
         self.add_settings(TextureSettings)
         self.add_workers()
@@ -70,7 +66,7 @@ class FacadeTextures(UrbanMapAlgorithm):
         folder = self.parameterAsString(parameters, "OUTPUT_FOLDER", context) or None
         model = self.output_path(parameters, "OUTPUT", context)
         code = table.crs.authid().removeprefix("EPSG:")
-        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+        with self.workers(parameters, context) as executor:
             settings = self.settings(TextureSettings, parameters, context)
             result = texture_buildings(buildings, sources, settings, voxels, executor, progress.part(0.2, 0.9))
             records = write_textured(result, model, folder, epsg=int(code) if code.isdigit() else None,
@@ -83,14 +79,9 @@ class FacadeTextures(UrbanMapAlgorithm):
         if numbers["textured"] < numbers["facades"]:
             progress.warn(tr("{0} of {1} facades have no texture; the field “reason” of the layer of facades tells "
                              "why.").format(numbers["facades"] - numbers["textured"], numbers["facades"]))
-        results = {"OUTPUT": str(model), "FACADES": numbers["facades"], "TEXTURED": numbers["textured"],
-                   "SEEN": numbers["seen"]}
-        layer = self._write_facades(parameters, context, records, table, progress)
-        if layer:
-            results["OUTPUT_FACADES"] = layer
-        if folder:
-            results["OUTPUT_FOLDER"] = folder
-        return results
+        return {"OUTPUT": str(model), "FACADES": numbers["facades"], "TEXTURED": numbers["textured"],
+                "SEEN": numbers["seen"], **({"OUTPUT_FOLDER": folder} if folder else {}),
+                **self._write_facades(parameters, context, records, table, progress)}
 
     def _voxels(self, parameters, context, table, progress):
         """Cells with laser points round the buildings."""
@@ -107,8 +98,6 @@ class FacadeTextures(UrbanMapAlgorithm):
 
     def _write_facades(self, parameters, context, records, table, progress):
         """The layer of facades, where wanted."""
-        if not parameters.get("OUTPUT_FACADES"):
-            return None
         names = ("facade", "area", "azimuth", "seen", "detail", "images", "status", "reason")
         kinds = ("int", "real", "real", "real", "real", "text", "text", "text")
         values = {name: [getattr(record, name) for record in records] for name in names}

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
-
-from ...urbanmap_qgis.errors import InputError
 from ...urbanmap_qgis.settings.lines import ScanSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
+from ..framework.layers.crs import wkt_of
 
 ANGLE_UNITS = ("degrees", "radians")
 
@@ -30,9 +28,8 @@ class GeoreferenceScans(UrbanMapAlgorithm):
     )
 
     def declare(self):
-        self.declare_parameter(QgsProcessingParameterMultipleLayers(
-            "SCANS", tr("Range scans"), QgsProcessing.SourceType.TypeFile), "One or several tables of time, angle, "
-            "range, intensity and scanner (CSV, CSV.GZ, Parquet, LAS, LAZ).")
+        self.add_files("SCANS", "Range scans", "One or several tables of time, angle, range, intensity and scanner "
+                       "(CSV, CSV.GZ, Parquet, LAS, LAZ).")
         self.add_trajectory()
         self.add_trajectory_reading()
         self.add_calibration()
@@ -50,30 +47,15 @@ class GeoreferenceScans(UrbanMapAlgorithm):
         self.add_number_output("OUTSIDE_TIME", "Outside the time", "Returns left out because they were measured "
                                "outside the trajectory or in a gap of it.")
 
-    def check(self, parameters, context):
-        self._scan_files(parameters, context)
-
-    def _scan_files(self, parameters, context) -> list[Path]:
-        """Files of SCANS, each once."""
-        paths = [Path(text) for text in self.parameterAsFileList(parameters, "SCANS", context) if text]
-        for path in paths:
-            if not path.is_file():
-                raise InputError(tr("{0}: the file {1} does not exist; check its name.").format(
-                    self.label_of("SCANS"), path))
-        if not paths:
-            raise InputError(tr("{0}: no file was given.").format(self.label_of("SCANS")))
-        return list(dict.fromkeys(paths))
-
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.mobile.calibration import read_calibration
         from ...urbanmap_qgis.mobile.lines.georeferencing import georeference_scans
 
         progress = self.progress(feedback)
-        scans = self._scan_files(parameters, context)
-        calibration = read_calibration(self.input_path(parameters, "CALIBRATION", context))
+        scans = [Path(text) for text in self.files_of(parameters, "SCANS", context)]
+        calibration = self.read_calibration(parameters, context)
         given = self.parameterAsCrs(parameters, "CRS", context)
-        file = self.read_trajectory(parameters, "TRAJECTORY", context, wkt_or_none(given), progress)
-        crs = wkt_or_none(given) or file.crs_wkt
+        file = self.read_trajectory(parameters, "TRAJECTORY", context, wkt_of(given) or None, progress)
+        crs = wkt_of(given) or file.crs_wkt
         if crs:
             self.require_projected("CRS" if given.isValid() else "TRAJECTORY", crs)
         else:
@@ -91,9 +73,3 @@ class GeoreferenceScans(UrbanMapAlgorithm):
                 "WITHOUT_RANGE": placed.no_return, "BEYOND_RANGE": placed.too_near + placed.too_far,
                 "OUTSIDE_TIME": placed.outside}
 
-
-def wkt_or_none(crs) -> str | None:
-    """WKT of QGIS's CRS, None of an invalid one."""
-    from ..framework.layers.crs import wkt_of
-
-    return wkt_of(crs) or None

@@ -2,25 +2,19 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
-from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
-
 from ...urbanmap_qgis.errors import InputError
 from ..framework.declaring.parameters import tr
 
 
 def add_images(algorithm) -> None:
     """Declare IMAGES, TRAJECTORY and CALIBRATION of line cameras, and FRAMES, CAMERA and EXTERIOR of frames."""
-    files = QgsProcessing.SourceType.TypeFile
-    algorithm.declare_parameter(QgsProcessingParameterMultipleLayers(
-        "IMAGES", tr("Line images"), files, None, True), "Strip images of line cameras, one column a time, each with "
-        "the table of its columns' times beside it (column,time).")
+    algorithm.add_files("IMAGES", "Line images", "Strip images of line cameras, one column a time, each with the table "
+                        "of its columns' times beside it (column,time).", optional=True)
     algorithm.add_trajectory(optional=True)
     algorithm.add_trajectory_reading()
     algorithm.add_calibration(optional=True)
-    algorithm.declare_parameter(QgsProcessingParameterMultipleLayers(
-        "FRAMES", tr("Frames"), files, None, True), "Perspective images, each named in the exterior orientation.")
+    algorithm.add_files("FRAMES", "Frames", "Perspective images, each named in the exterior orientation.",
+                        optional=True)
     algorithm.add_file("CAMERA", "Camera", "JSON file of the frames' camera.", "Camera (*.json)", optional=True)
     algorithm.add_file("EXTERIOR", "Exterior orientation", "CSV file image,x,y,z,omega,phi,kappa of the frames, or "
                        "what Metashape or Pix4D wrote.",
@@ -34,18 +28,14 @@ def check_images(algorithm, parameters, context, other: str = "") -> None:
     ------
     InputError : with what is missing.
     """
-    lines, frames = (algorithm.parameterAsFileList(parameters, name, context) for name in ("IMAGES", "FRAMES"))
-    if not any(lines) and not any(frames) and not parameters.get(other):
+    lines, frames = (algorithm.files_of(parameters, name, context) for name in ("IMAGES", "FRAMES"))
+    if not lines and not frames and not parameters.get(other):
         raise InputError(tr("No image was given; give line images, frames or an orthophoto.") if other else
                          tr("No image was given; give line images or frames."))
     for given, needed in ((lines, ("TRAJECTORY", "CALIBRATION")), (frames, ("CAMERA", "EXTERIOR"))):
         missing = [algorithm.label_of(name) for name in needed if not parameters.get(name)]
-        if any(given) and missing:
+        if given and missing:
             raise InputError(tr("{0}: is needed for these images; give it.").format(", ".join(missing)))
-    for name in ("IMAGES", "FRAMES"):
-        for text in algorithm.parameterAsFileList(parameters, name, context):
-            if text and not Path(text).exists():
-                raise InputError(tr("{0}: {1} does not exist; check its name.").format(algorithm.label_of(name), text))
 
 
 def image_sources(algorithm, parameters, context, crs_wkt, progress) -> list:
@@ -53,11 +43,11 @@ def image_sources(algorithm, parameters, context, crs_wkt, progress) -> list:
     from ...urbanmap_qgis.imagery.views.views import frame_sources, strip_sources
 
     found = []
-    lines = [path for path in algorithm.parameterAsFileList(parameters, "IMAGES", context) if path]
+    lines = algorithm.files_of(parameters, "IMAGES", context)
     if lines:
         read = algorithm.read_trajectory(parameters, "TRAJECTORY", context, crs_wkt, progress)
         found += strip_sources(lines, read.trajectory, algorithm.input_path(parameters, "CALIBRATION", context))
-    frames = [path for path in algorithm.parameterAsFileList(parameters, "FRAMES", context) if path]
+    frames = algorithm.files_of(parameters, "FRAMES", context)
     if frames:
         found += frame_sources(frames, algorithm.input_path(parameters, "CAMERA", context),
                                algorithm.input_path(parameters, "EXTERIOR", context), len(found))

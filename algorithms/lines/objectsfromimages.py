@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from qgis.core import QgsProcessing
-
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.layers.layers import make_fields
@@ -36,13 +34,13 @@ class ObjectsFromImages(UrbanMapAlgorithm):
         self.add_points(help="Laser points of the survey, LAS, LAZ or COPC, placed by the same trajectory.")
         add_images(self)
         self.add_vector("OUTLINES", "Outlines", "Polygons, lines or points drawn on the images, in pixels.",
-                        source_type=QgsProcessing.SourceType.TypeVectorAnyGeometry)
+                        kind="geometry")
         self.add_distance("REACH", "Maximum range", "Laser points farther from the camera are not used (line images).",
                           50.0, 1.0, 500.0, advanced=True)
         self.add_layer_output("OUTPUT", "Objects", "One feature an outline, with z: the fields of the outlines and "
                               "width, height (m), azimuth (degrees, where the surface faces), area (m2), z_low, "
                               "z_high, distance (m, from the camera), points, rmse, sigma (m), status, reason.",
-                              source_type=QgsProcessing.SourceType.TypeVectorAnyGeometry)
+                              kind="geometry")
         self.add_number_output("OBJECTS", "Outlines", "Number of outlines.")
         self.add_number_output("MEASURED", "Measured", "Outlines that became features with a place.")
         self.add_number_output("SIGMA", "Median sigma", "Median standard deviation of the corners' places against the "
@@ -76,7 +74,7 @@ class ObjectsFromImages(UrbanMapAlgorithm):
                                  cloud.crs_wkt, [item.geometry for item in result], geometry_type(outlines), "",
                                  progress.part(0.95, 1.0))
         sigmas = [item.sigma for item in result if item.geometry is not None]
-        return {"OUTPUT": layer, "OBJECTS": len(result), "MEASURED": len(result) - missing,
+        return {**layer, "OBJECTS": len(result), "MEASURED": len(result) - missing,
                 "SIGMA": float(np.median(sigmas)) if sigmas else None}
 
     def _cloud(self, parameters, context):

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from qgis.core import QgsProcessing
-
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
@@ -30,13 +28,12 @@ class OverlayOnImages(UrbanMapAlgorithm):
         add_images(self)
         self.add_raster("ORTHOPHOTO", "Orthophoto", "Image of the map, in the CRS of points and lines.", optional=True)
         self.add_points(help="Laser points to draw, LAS, LAZ or COPC.", optional=True)
-        any_geometry = QgsProcessing.SourceType.TypeVectorAnyGeometry
         self.add_vector("LINES", "Models or lines", "Building models (MultiPolygonZ with all faces) or lines with "
-                        "heights; their edges are drawn.", True, any_geometry)
+                        "heights; their edges are drawn.", True, kind="geometry")
         self.add_choice("COLOUR", "Colour points by", "What the colours of points tell", COLOURS, "height")
         self.add_points("POINTS_BEFORE", "Laser points before", "The same points before a correction.", True)
         self.add_vector("LINES_BEFORE", "Models or lines before", "The same models or lines before a correction.", True,
-                        any_geometry)
+                        kind="geometry")
         self.add_trajectory("TRAJECTORY_BEFORE", "Trajectory before", optional=True)
         self.add_distance("REACH", "Maximum range", "Line images show things up to this distance.", 60.0, 1.0,
                           500.0, advanced=True)

@@ -6,7 +6,7 @@ from types import MappingProxyType
 
 from ...urbanmap_qgis.settings.lines import RectifySettings
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.declaring.parameters import tr
 from ..framework.layers.layers import make_fields
 from .report_images import add_report_images, check_report_images, report_pictures
 
@@ -47,14 +47,13 @@ class RectifyTrajectory(UrbanMapAlgorithm):
                      "needed for SBET trajectories.", optional=True, advanced=True)
         self.add_trajectory_reading()
         add_report_images(self)
-        self.add_trajectory_output("OUTPUT", "Rectified trajectory")
+        self.add_trajectory_output("Rectified trajectory")
         self.add_layer_output("OUTPUT_SETS", "Sets", "One point a set: distance from the reference before and after, "
                               "correction, misfit within the set, how far off it would lie without itself (predicted), "
                               "and its status.", optional=True)
         self.add_layer_output("OUTPUT_EPOCHS", "Epochs", "One point an epoch: correction, sigma and status (between "
                               "sets, or carried on (extrapolated) before the first or after the last).", optional=True)
-        self.add_file_output("OUTPUT_REPORT", "Report", "Before and after, set by set, as HTML.", HTML_FILTER,
-                             optional=True, by_default=True)
+        self.add_report("Before and after, set by set, as HTML.", by_default=True)
         self.add_number_output("SETS", "Sets", "Sets of tie points within the trajectory's time.")
         self.add_number_output("SETS_USED", "Sets used", "Sets that were not left out.")
         self.add_number_output("BEFORE", "Distance before", "Mean distance of the tie points from the reference as "
@@ -90,14 +89,12 @@ class RectifyTrajectory(UrbanMapAlgorithm):
                            "({0:.2f} m above the ground).").format(result.heights.sensor_height))
         results = {"OUTPUT": self.write_trajectory(parameters, "OUTPUT", context, file, result.trajectory, crs)}
         results.update(self._write_layers(parameters, context, file.trajectory, result, crs, progress))
-        report = self.output_path(parameters, "OUTPUT_REPORT", context)
-        if report:
+        if parameters.get("OUTPUT_REPORT"):
             from ...urbanmap_qgis.mobile.lines.rectification_report import write_report
 
-            write_report(report, file.trajectory, result, notes,
-                         report_pictures(self, parameters, context, (file.trajectory, result.trajectory), crs,
-                                         progress))
-            results["OUTPUT_REPORT"] = str(report)
+            pictures = report_pictures(self, parameters, context, (file.trajectory, result.trajectory), crs, progress)
+            results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_report, file.trajectory, result,
+                                       notes, pictures)
         return {**results, **numbers_of(result)}
 
     def _tie_points(self, parameters, context, progress):
@@ -144,12 +141,12 @@ class RectifyTrajectory(UrbanMapAlgorithm):
         if parameters.get("OUTPUT_SETS"):
             columns = list(zip(*((item.name, item.time, item.pairs, item.before, item.after, *item.shift, item.heading,
                                   item.misfit, item.predicted, item.status) for item in rectified.sets)))
-            results["OUTPUT_SETS"] = self.write_layer(
+            results |= self.write_layer(
                 parameters, "OUTPUT_SETS", context, make_fields(*SET_FIELDS),
                 dict(zip(SET_FIELDS, columns)), crs,
                 shapely.points([item.place for item in rectified.sets]), "PointZ", "rectification_sets", progress)
         if parameters.get("OUTPUT_EPOCHS"):
-            results["OUTPUT_EPOCHS"] = self.write_layer(
+            results |= self.write_layer(
                 parameters, "OUTPUT_EPOCHS", context, make_fields(*EPOCH_FIELDS), epoch_columns(before, rectified), crs,
                 shapely.points(rectified.trajectory.place), "PointZ", "rectification_epochs", progress)
         return results

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
-
 from ...urbanmap_qgis.errors import InputError
 from ..framework.declaring.parameters import tr
 from ..framework.layers.overlays import pictures
@@ -13,12 +11,11 @@ from ..framework.layers.overlays import pictures
 
 def add_report_images(algorithm) -> None:
     """Declare IMAGES, CALIBRATION and LINES, which only the report uses."""
-    algorithm.declare_parameter(QgsProcessingParameterMultipleLayers(
-        "IMAGES", tr("Line images for the report"), QgsProcessing.SourceType.TypeFile, None, True), "Strip images of "
-        "line cameras: the report shows the models or lines over them, before and after.", advanced=True)
+    algorithm.add_files("IMAGES", "Line images for the report", "Strip images of line cameras: the report shows the "
+                        "models or lines over them, before and after.", advanced=True, optional=True)
     algorithm.add_calibration(optional=True)
     algorithm.add_vector("LINES", "Models or lines for the report", "Building models (MultiPolygonZ) or lines with "
-                         "heights, drawn over the line images.", True, QgsProcessing.SourceType.TypeVectorAnyGeometry)
+                         "heights, drawn over the line images.", True, kind="geometry")
 
 
 def check_report_images(algorithm, parameters, context) -> None:

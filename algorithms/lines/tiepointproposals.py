@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from contextlib import contextmanager
 
-from qgis.core import QgsProcessing
-
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
@@ -48,7 +46,7 @@ class TiePointProposals(UrbanMapAlgorithm):
                           "agree: as good as the outlines are.", 0.5, 0.05, 5.0, advanced=True)
         self.add_layer_output("OUTPUT", "Tie points", "Lines from the survey to the reference with set, time (s), "
                               "length (m), support (other corners shifted likewise) and fit of the walls (m).",
-                              source_type=QgsProcessing.SourceType.TypeVectorLine)
+                              kind="line")
         self.add_number_output("CORNERS", "Corners", "Corners of buildings near the course.")
         self.add_number_output("FOUND", "Corners found", "Corners that the survey shows.")
         self.add_number_output("SETS", "Sets", "Sets of two tie points.")
@@ -82,7 +80,7 @@ class TiePointProposals(UrbanMapAlgorithm):
         columns = dict(zip(FIELDS, (ties.sets, ties.time, length, result.support, result.fit)))
         layer = self.write_layer(parameters, "OUTPUT", context, None, columns, crs_from(cloud.crs_wkt),
                                  lines, "LineString", "tie_point_proposals", progress.part(0.95, 1.0))
-        return {"OUTPUT": layer, "CORNERS": result.corners, "FOUND": result.found, "SETS": len(ties) // 2,
+        return {**layer, "CORNERS": result.corners, "FOUND": result.found, "SETS": len(ties) // 2,
                 "MEAN_LENGTH": float(length.mean())}
 
     @contextmanager

@@ -4,20 +4,17 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from qgis.core import QgsProcessing
-
 from ...urbanmap_qgis.errors import InputError
 from ...urbanmap_qgis.settings.mobile import ControlSettings
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.declaring.parameters import tr
 from ..framework.layers.trajectories import TABLE_SUFFIXES, write_trajectory_file
 from .control_points import add_control, read_control
-from .drives import DriveInputs
 from .marking_reference import add_markings, read_reference
 from .wall_inputs import add_buildings, asked_features, read_edges, read_laser, refuse_two_kinds
 
 
-class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
+class AdjustSurveys(UrbanMapAlgorithm):
     ID = "adjustsurveys"
     NAME = "Adjust several drives"
     SOURCE = "network adjustment on the registration of Javanmardi, 3.2.4 and 4"
@@ -54,13 +51,11 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
                                "its own name.")
         self.add_points_crs()
         self.add_layer_output("OUTPUT_TIES", "Ties", "One point an observation: its residual (m), its standard "
-                              "deviation and the weight that it kept.", optional=True,
-                              source_type=QgsProcessing.SourceType.TypeVectorPoint, by_default=True)
+                              "deviation and the weight that it kept.", optional=True, by_default=True, kind="point")
         self.add_layer_output("OUTPUT_NODES", "Corrections", "Points along the corrected paths, with correction, "
-                              "standard deviations and status.", optional=True,
-                              source_type=QgsProcessing.SourceType.TypeVectorPoint, by_default=True)
-        self.add_file_output("OUTPUT_REPORT", "Report", "Residuals by kind, the share of each witness, corrections and "
-                             "their uncertainty, what to distrust.", HTML_FILTER, optional=True, by_default=True)
+                              "standard deviations and status.", optional=True, by_default=True, kind="point")
+        self.add_report("Residuals by kind, the share of each witness, corrections and their uncertainty, what to "
+                        "distrust.", by_default=True)
         self.add_number_output("TIES", "Ties", "Number of ties between drives.")
         self.add_number_output("PLANE_TIES", "Ties by planes", "Number of ties by facades and road.")
         self.add_number_output("WALLS", "Walls", "Number of observations on walls of buildings.")
@@ -70,9 +65,7 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
                                "0.")
 
     def check(self, parameters, context):
-        texts = self.trajectory_texts(parameters, context)
-        targets = self._targets(parameters, context, texts)
-        sources = [Path(text.split("|")[0]) for text in texts]
+        sources, targets = self.trajectory_files(parameters, context), self._targets(parameters, context)
         for target in targets:
             if targets.count(target) > 1 or (target.exists() and any(path.exists() and target.samefile(path)
                                                                      for path in sources)):
@@ -84,21 +77,19 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
         from ...urbanmap_qgis.mobile.adjustment.drive_clouds import assign_clouds
         from ...urbanmap_qgis.mobile.adjustment.report import write_network_report
         from ...urbanmap_qgis.mobile.adjustment.stage import adjust_surveys
-        from ...urbanmap_qgis.mobile.calibration import read_calibration
 
         progress = self.progress(feedback)
         paths = self.point_files(parameters, "POINTS", context)
         crs = open_cloud(paths).crs_wkt
         self.require_projected("POINTS", crs)
         files = self.read_trajectories(parameters, context, crs, progress)
-        targets = self._targets(parameters, context, self.trajectory_texts(parameters, context))
+        targets = self._targets(parameters, context)
         names = [path.stem for path in targets]
         clouds = assign_clouds(paths, [item.trajectory for item in files], names)
-        calibration = self.input_path(parameters, "CALIBRATION", context)
         result = adjust_surveys(clouds, [item.trajectory for item in files], names,
                                 self._control(parameters, context, crs, progress),
                                 self._reference(parameters, context, crs, progress), self._run(parameters, context),
-                                read_calibration(calibration) if calibration else None, progress.part(0.0, 0.95),
+                                self.read_calibration(parameters, context), progress.part(0.0, 0.95),
                                 self._walls(parameters, context, crs, progress))
         results = self._write_layers(parameters, context, result, crs, progress)
         results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_network_report, result)
@@ -107,12 +98,11 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
             write_trajectory_file(target, like, drive.corrected, crs, context)
         return {**results, **self._figures(result), "OUTPUT": str(targets[0].parent)}
 
-    def _targets(self, parameters, context, texts) -> list[Path]:
+    def _targets(self, parameters, context) -> list[Path]:
         """Where each trajectory is written: under its own name, what comes as a layer as a GeoPackage."""
         folder = Path(self.parameterAsFileOutput(parameters, "OUTPUT", context))
-        sources = [Path(text.split("|")[0]) for text in texts]
         return [folder / (path.name if path.suffix.lower() in TABLE_SUFFIXES else f"{path.stem}.gpkg")
-                for path in sources]
+                for path in self.trajectory_files(parameters, context)]
 
     def _control(self, parameters, context, crs, progress):
         if parameters.get("CONTROL") is None:
@@ -167,8 +157,6 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
         results = {}
         for name, (columns, places), style in (("OUTPUT_TIES", tie_columns(adjusted), "adjustment_ties"),
                                                ("OUTPUT_NODES", node_columns(adjusted), "adjustment_nodes")):
-            layer = self.write_layer(parameters, name, context, None, columns, crs, shapely.points(places), "PointZ",
-                                     style=style, progress=progress)
-            if layer:
-                results[name] = layer
+            results |= self.write_layer(parameters, name, context, None, columns, crs, shapely.points(places), "PointZ",
+                                        style=style, progress=progress)
         return results

@@ -2,19 +2,13 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
-from qgis.core import QgsProcessing
-
 from ...urbanmap_qgis.settings.lines import BoresightSettings
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import HTML_FILTER
-from .drives import DriveInputs
 
 FIELDS = ("scanner", "parameter", "unit", "correction", "sigma", "status")
 
 
-class CalibrateScanner(DriveInputs, UrbanMapAlgorithm):
+class CalibrateScanner(UrbanMapAlgorithm):
     ID = "calibratescanner"
     NAME = "Calibrate scanners"
     SOURCE = "least-squares adjustment of planes seen from different sides"
@@ -40,35 +34,30 @@ class CalibrateScanner(DriveInputs, UrbanMapAlgorithm):
         self.add_file_output("OUTPUT", "Corrected calibration", "The calibration file with corrected values; for each "
                              "its standard deviation, or that it is not determined.", "Calibration (*.json)")
         self.add_layer_output("OUTPUT_TABLE", "Corrections", "Table: scanner, parameter, correction, standard "
-                              "deviation, status.", optional=True,
-                              source_type=QgsProcessing.SourceType.TypeVector, by_default=True)
-        self.add_file_output("OUTPUT_REPORT", "Report", "Corrections with their standard deviations, and how far "
-                             "planes lie apart before and after.", HTML_FILTER, optional=True, by_default=True)
+                              "deviation, status.", optional=True, by_default=True, kind="any")
+        self.add_report("Corrections with their standard deviations, and how far planes lie apart before and after.",
+                        by_default=True)
         self.add_number_output("PAIRS", "Pairs of planes", "Planes that were compared.")
         self.add_number_output("RMS_BEFORE", "RMS before", "Distance between planes before, trajectories corrected.",
                                "m")
         self.add_number_output("RMS_AFTER", "RMS after", "Distance between planes after.", "m")
         self.add_number_output("DETERMINED", "Determined", "Number of values that are determined.")
 
-    def check(self, parameters, context):
-        self.trajectory_texts(parameters, context)
-
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.io.points.pointcloud import open_cloud
         from ...urbanmap_qgis.mobile.adjustment.drive_clouds import assign_clouds
         from ...urbanmap_qgis.mobile.boresight.stage import calibrate_scanners, write_calibration
-        from ...urbanmap_qgis.mobile.calibration import read_calibration
 
         progress = self.progress(feedback)
         paths = self.point_files(parameters, "POINTS", context)
         crs = open_cloud(paths).crs_wkt
         self.require_projected("POINTS", crs)
         trajectories = [item.trajectory for item in self.read_trajectories(parameters, context, crs, progress)]
-        names = [Path(text.split("|")[0]).stem for text in self.trajectory_texts(parameters, context)]
+        names = [path.stem for path in self.trajectory_files(parameters, context)]
         source = self.input_path(parameters, "CALIBRATION", context)
         settings = self.settings(BoresightSettings, parameters, context)
-        result = calibrate_scanners(assign_clouds(paths, trajectories, names), trajectories, read_calibration(source),
-                                    settings, progress)
+        result = calibrate_scanners(assign_clouds(paths, trajectories, names), trajectories,
+                                    self.read_calibration(parameters, context), settings, progress)
         output = self.output_path(parameters, "OUTPUT", context)
         write_calibration(output, source, result)
         return {"OUTPUT": str(output), **self._figures(result), **self._tell(parameters, context, result, progress)}
@@ -82,12 +71,7 @@ class CalibrateScanner(DriveInputs, UrbanMapAlgorithm):
         """Write table and report."""
         from ...urbanmap_qgis.mobile.boresight.report import write_boresight_report
 
-        results = {}
-        columns = dict(zip(FIELDS, zip(*calibrated.rows())))
-        columns = {name: list(values) for name, values in columns.items()}
-        table = self.write_layer(parameters, "OUTPUT_TABLE", context, None, columns, "",
-                                 style="boresight_corrections", progress=progress)
-        if table:
-            results["OUTPUT_TABLE"] = table
-        results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_boresight_report, calibrated)
-        return results
+        columns = {name: list(values) for name, values in zip(FIELDS, zip(*calibrated.rows()))}
+        results = self.write_layer(parameters, "OUTPUT_TABLE", context, None, columns, "",
+                                   style="boresight_corrections", progress=progress)
+        return results | self.write_file(parameters, "OUTPUT_REPORT", context, write_boresight_report, calibrated)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from ...urbanmap_qgis.settings.terrain import ClothSettings
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.running.workers import workers
 
 
 class GroundFromMms(UrbanMapAlgorithm):
@@ -48,7 +47,7 @@ class GroundFromMms(UrbanMapAlgorithm):
         self.require_projected("POINTS", open_cloud(paths).crs_wkt)
         settings = self.settings(ClothSettings, parameters, context)
         output = self.output_path(parameters, "OUTPUT", context)
-        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+        with self.workers(parameters, context) as executor:
             result = classify_ground_files(paths, output, settings, self.progress(feedback), executor,
                                            min_ground_share=self.parameterAsDouble(parameters, "MIN_GROUND_SHARE",
                                                                                    context))

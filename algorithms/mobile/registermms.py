@@ -4,13 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from qgis.core import QgsProcessing
-
 from ...urbanmap_qgis.settings.mobile import TrustSettings, WindowChoice, WindowSettings
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import HTML_FILTER
 from ..framework.layers.layers import make_fields
-from ..framework.running.workers import workers
 from .marking_reference import add_markings
 from .survey_inputs import read_survey_and_reference
 from .wall_inputs import add_walls, read_walls
@@ -74,21 +70,19 @@ class RegisterMms(UrbanMapAlgorithm):
                               "(m, degrees), standard deviations (absolute with REFERENCE_SIGMA and what steps of the "
                               "reference too small to be told add; sigma_relative without both), window, score, status "
                               "and its reason; with walls the share of each witness (paint, walls).", optional=True,
-                              source_type=QgsProcessing.SourceType.TypeVectorPoint, by_default=True)
+                              by_default=True, kind="point")
         self.add_layer_output("OUTPUT_STEPS", "Disagreements", "One point a place where reference and survey disagree: "
                               "edges of markings that changed after the flight, a reference that jumps, steps hidden "
                               "where there are no markings, stretches where walls want the survey elsewhere than the "
-                              "markings; with size (m), direction (degrees from north) and "
-                              "standard deviation.", optional=True,
-                              source_type=QgsProcessing.SourceType.TypeVectorPoint)
+                              "markings; with size (m), direction (degrees from north) and standard deviation.",
+                              optional=True, kind="point")
         self.add_layer_output("OUTPUT_AREAS", "Areas of disagreement", "One polygon a stretch of road in which "
-                              "reference and survey disagree, as wide as its markings: markings that changed after "
-                              "the flight, the road about a step of which nobody can say the right side, stretches "
-                              "where a step hides or walls want the survey elsewhere; with chainages (m), size (m), "
-                              "direction (degrees from north) and standard deviation.", optional=True,
-                              source_type=QgsProcessing.SourceType.TypeVectorPolygon)
-        self.add_file_output("OUTPUT_REPORT", "Report", "Correction and its uncertainty along the path, pictures "
-                             "before and after, what to distrust.", HTML_FILTER, optional=True, by_default=True)
+                              "reference and survey disagree, as wide as its markings: markings that changed after the "
+                              "flight, the road about a step of which nobody can say the right side, stretches where a "
+                              "step hides or walls want the survey elsewhere; with chainages (m), size (m), direction "
+                              "(degrees from north) and standard deviation.", optional=True, kind="polygon")
+        self.add_report("Correction and its uncertainty along the path, pictures before and after, what to distrust.",
+                        by_default=True)
         self.add_number_output("WAY", "Path length", "Length of the driven path.", "m")
         self.add_number_output("MEAN_CORRECTION", "Mean correction", "In plan, over the path.", "m")
         self.add_number_output("MAX_CORRECTION", "Maximum correction", "In plan.", "m")
@@ -99,17 +93,15 @@ class RegisterMms(UrbanMapAlgorithm):
         self.add_number_output("MAX_SIGMA", "Maximum standard deviation", "In plan, over the whole path.", "m")
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.mobile.calibration import read_calibration
         from ...urbanmap_qgis.mobile.registration.report import write_registration_report
         from ...urbanmap_qgis.mobile.registration.stage import register_survey
 
         progress = self.progress(feedback)
         paths, crs, trajectory, reference = read_survey_and_reference(self, parameters, context, progress)
-        file = self.input_path(parameters, "CALIBRATION", context)
-        calibration = read_calibration(file) if file else None
+        calibration = self.read_calibration(parameters, context)
         run = self._run(parameters, context, reference, paths)
         walls = read_walls(self, parameters, context, (paths, crs, trajectory.trajectory), run, progress.part(0.0, 0.2))
-        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+        with self.workers(parameters, context) as executor:
             result = register_survey(paths, trajectory.trajectory, reference, run, calibration,
                                      progress.part(0.2 if walls else 0.0, 0.95), executor, walls)
         results = {**self._figures(result), "OUTPUT": self.write_trajectory(
@@ -169,9 +161,8 @@ class RegisterMms(UrbanMapAlgorithm):
         columns, places = patch_table(registered)
         kinds = {"patch": "int", "features": "int", "points": "int", "status": "text", "reason": "text"}
         fields = make_fields(*((name, kinds.get(name, "real")) for name in columns))
-        layer = self.write_layer(parameters, "OUTPUT_PATCHES", context, fields, columns, crs, shapely.points(places),
-                                 "PointZ", style="mms_patches", progress=progress)
-        return {"OUTPUT_PATCHES": layer} if layer else {}
+        return self.write_layer(parameters, "OUTPUT_PATCHES", context, fields, columns, crs, shapely.points(places),
+                                "PointZ", style="mms_patches", progress=progress)
 
     def _write_disagreements(self, parameters, context, registered, crs, progress):
         import shapely
@@ -183,6 +174,6 @@ class RegisterMms(UrbanMapAlgorithm):
         for name, columns, at, kind, style in (("OUTPUT_STEPS", steps, shapely.points(places), "PointZ", "mms_steps"),
                                                ("OUTPUT_AREAS", areas, roads, "Polygon", "mms_areas")):
             fields = make_fields(*((column, "text" if column == "kind" else "real") for column in columns))
-            results[name] = self.write_layer(parameters, name, context, fields, columns, crs, at, kind,
+            results |= self.write_layer(parameters, name, context, fields, columns, crs, at, kind,
                                              style=style, progress=progress)
-        return {name: layer for name, layer in results.items() if layer}
+        return results

@@ -8,7 +8,6 @@ from ...urbanmap_qgis.settings.mobile import ReachRules, StrokeRules
 from ...urbanmap_qgis.settings.terrain import ClothSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER
-from ..framework.running.workers import workers
 from .survey_inputs import read_survey
 
 METHODS = ("full", "paper")
@@ -73,25 +72,20 @@ class RoadMarkingsFromMms(UrbanMapAlgorithm):
                                "or at which the vehicle stood.")
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.mobile.calibration import read_calibration
         from ...urbanmap_qgis.mobile.markings.curve_report import doubts, facts_of, write_curve_report
         from ...urbanmap_qgis.mobile.markings.markings_file import markings_to_file
 
         progress = self.progress(feedback)
         paths, _, trajectory = read_survey(self, parameters, context, progress)
-        calibration = self.input_path(parameters, "CALIBRATION", context)
-        calibration = read_calibration(calibration) if calibration else None
+        calibration = self.read_calibration(parameters, context)
         output = self.output_path(parameters, "OUTPUT", context)
-        page = self.output_path(parameters, "OUTPUT_CURVE", context)
-        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+        with self.workers(parameters, context) as executor:
             result = markings_to_file(paths, output, trajectory.trajectory, calibration,
                                       self._settings(parameters, context), progress.part(0.0, 0.98), executor)
         for sentence in doubts(result):
             progress.warn(sentence)
-        results = {"OUTPUT": str(output), **facts_of(result)}
-        if page:
-            write_curve_report(page, result, [path.name for path in paths])
-            results["OUTPUT_CURVE"] = str(page)
+        results = {"OUTPUT": str(output), **facts_of(result), **self.write_file(
+            parameters, "OUTPUT_CURVE", context, write_curve_report, result, [path.name for path in paths])}
         return {name: None if isinstance(value, float) and math.isnan(value) else value
                 for name, value in results.items()}
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from qgis.core import QgsProcessing
-
 from ...urbanmap_qgis.errors import InputError
 from ..framework.declaring.parameters import tr
 from ..framework.layers.building_layers import read_buildings
@@ -30,8 +28,7 @@ def add_walls(algorithm) -> None:
     add_buildings(algorithm)
     algorithm.add_vector("ROAD_EDGES", "Kerbs or road edges", "Instead of buildings: lines of a map on which the kerbs "
                          "that the survey saw are laid, across the line; “Features” counts them as walls. By how much "
-                         "the lines are off is found.", optional=True,
-                         source_type=QgsProcessing.SourceType.TypeVectorLine)
+                         "the lines are off is found.", optional=True, kind="line")
     algorithm.add_points("SURVEY", "Survey with its facades", "All points of the survey, where “Point clouds” holds "
                          "its markings alone.", optional=True)
 

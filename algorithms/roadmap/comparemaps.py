@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from qgis.core import QgsProcessing
-
 from ...urbanmap_qgis.errors import InputError
 from ...urbanmap_qgis.settings.roadmap import ComparisonSettings
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.declaring.parameters import tr
 from ..framework.layers.crs import crs_from
 from ..framework.layers.layers import make_fields
 from .comparison_report import write_comparison_report
@@ -41,12 +39,11 @@ class CompareMaps(UrbanMapAlgorithm):
     )
 
     def declare(self):
-        line = QgsProcessing.SourceType.TypeVectorLine
         for side, file, lines, areas, _ in INPUTS:
             self.add_file(side, file, "OSM file; or give lines.", OSM_FILTER, optional=True)
             self.add_vector(f"{side}_LINES", lines, "Lines with the field class, in place of a Lanelet2 file: marking "
                             "lines or bounds of lanes; colour, sigma and double are used where they are there.",
-                            optional=True, source_type=line)
+                            optional=True, kind="line")
             self.add_polygons(f"{side}_AREAS", areas, "Crosswalks and symbols of the map that is given as lines, with "
                               "the field class.", optional=True)
         self.add_polygons("AREA", "Area of both maps", "What both maps show: within it everything counts, also roads "
@@ -58,9 +55,8 @@ class CompareMaps(UrbanMapAlgorithm):
         self.add_layer_output("OUTPUT", "Changes", "Lines and outlines: kind (moved, added, removed, repainted, or "
                               "offset of the whole map, without geometry), element, before and after (class and "
                               "colour), length, shift, azimuth, along and across (m; across is to the left of the old "
-                              "element), sigma, significance (shift over sigma), ids in both maps.", source_type=line)
-        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: verdict, offset, table by kind and length, "
-                             "sigmas, map and list of the changes.", HTML_FILTER, optional=True)
+                              "element), sigma, significance (shift over sigma), ids in both maps.", kind="line")
+        self.add_report("HTML report: verdict, offset, table by kind and length, sigmas, map and list of the changes.")
         for name, label in (("MOVED", "Moved"), ("ADDED", "Added"), ("REMOVED", "Removed"),
                             ("REPAINTED", "Repainted")):
             self.add_number_output(name, label, "Number of such changes.")
@@ -94,10 +90,10 @@ class CompareMaps(UrbanMapAlgorithm):
         found = compare_maps(*maps, settings, self._area(parameters, context, crs), progress.part(0.1, 0.9))
         for kind in CHANGES:
             progress.message(f"{tr(kind)}: {len(found.of(kind))}")
-        layer = self.write_layer(parameters, "OUTPUT", context, make_fields(*FIELDS), change_columns(found.changes),
-                                 crs or crs_from(crs_wkt), change_shapes(found.changes), "LineString",
-                                 style="map_changes", progress=progress.part(0.9, 1.0))
-        results = {"OUTPUT": layer, **{kind.upper(): len(found.of(kind)) for kind in CHANGES}}
+        results = self.write_layer(parameters, "OUTPUT", context, make_fields(*FIELDS), change_columns(found.changes),
+                                   crs or crs_from(crs_wkt), change_shapes(found.changes), "LineString",
+                                   style="map_changes", progress=progress.part(0.9, 1.0))
+        results |= {kind.upper(): len(found.of(kind)) for kind in CHANGES}
         results |= write_comparison_report(self, parameters, context, found, maps, settings)
         taken = found.offset.significant
         return {**results, "OFFSET_EAST": found.offset.east if taken else 0.0,

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
-from qgis.core import QgsProcessing, QgsProcessingParameterExtent, QgsProcessingParameterMultipleLayers
+from qgis.core import QgsProcessingParameterExtent
 
 from ...urbanmap_qgis.errors import InputError
 from ...urbanmap_qgis.settings.localisation import EvidenceSettings
-from ..framework.declaring.parameters import Declarations, tr
+from ..framework.declaring.parameters import tr
 from ..framework.layers.building_layers import read_buildings
 from ..framework.layers.outlines import column, numbers
-from ..framework.layers.trajectories import trajectory_exists, trajectory_of
+from ..framework.layers.trajectories import TrajectoryParameters
 
 SIGMA_FIELDS = ("wall_sigma", "sigma_xy")
 DEFAULT_FIELDS = {"TOP_FIELD": ("z_top", "top", "z_max"),
@@ -19,11 +17,10 @@ DEFAULT_FIELDS = {"TOP_FIELD": ("z_top", "top", "z_max"),
                   "BUILDING_FIELD": ("building_id", "building", "building_i"), "SIGMA_FIELD": SIGMA_FIELDS}
 
 
-class LocalisationInputs(Declarations):
+class LocalisationInputs(TrajectoryParameters):
     """Methods with which the algorithm declares and reads what it takes."""
 
     def add_map_inputs(self):
-        line = QgsProcessing.SourceType.TypeVectorLine
         self.add_polygons("BUILDINGS", "Buildings", "Building models (MultiPolygonZ, such as those of “Building "
                           "models”) or outlines with heights, in a projected CRS in metres. Leave them out to ask for "
                           "markings alone.", optional=True)
@@ -38,10 +35,9 @@ class LocalisationInputs(Declarations):
                           "no field sigma tells it.", 0.05, 0.005, 2.0)
         self.add_settings(EvidenceSettings, "marking_common")
         self.add_vector("ROADS", "Roads", "Lines along which vehicles drive, such as centre lines of lanes. A field "
-                        "tunnel (yes, 1) is heeded.", optional=True, source_type=line)
-        self.declare_parameter(QgsProcessingParameterMultipleLayers(
-            "TRAJECTORY", tr("Trajectories"), QgsProcessing.SourceType.TypeFile, None, True),
-            "Drives in the CRS of the buildings instead of roads.")
+                        "tunnel (yes, 1) is heeded.", optional=True, kind="line")
+        self.add_files("TRAJECTORY", "Trajectories", "Drives in the CRS of the buildings instead of roads.",
+                       optional=True)
         self.declare_parameter(QgsProcessingParameterExtent("EXTENT", tr("Area"), None, True),
                                "Area to fill where neither roads nor trajectories are given; left empty, that of the "
                                "map. Along is then north.")
@@ -55,16 +51,6 @@ class LocalisationInputs(Declarations):
                 ("SIGMA_FIELD", "Field with the sigma of walls", "Of a building's walls, m; wall_sigma and sigma_xy "
                  "are found by themselves.")):
             self.add_field(name, label, help, "BUILDINGS", advanced=True)
-
-    def files_of(self, parameters, name, context):
-        """Files of a parameter that takes several; they exist."""
-        texts = [text for text in self.parameterAsFileList(parameters, name, context) if text]
-        for text in texts:
-            exists = trajectory_exists(text, context) if name == "TRAJECTORY" else Path(text).is_file()
-            if not exists:
-                raise InputError(tr("{0}: the file {1} does not exist; check its name.").format(
-                    self.label_of(name), text))
-        return texts
 
     def read_pieces(self, parameters, name, context, progress):
         """A layer of buildings, the core's walls (None without heights), the middles of the buildings that have none,
@@ -140,18 +126,6 @@ class LocalisationInputs(Declarations):
         if not len(result.xy):
             raise InputError(tr("{0}: no feature has an edge; give polygons or lines of markings.").format(table.label))
         return table, result
-
-    def drives_of(self, parameters, context, crs_wkt, progress):
-        """The trajectories that were given, in the CRS of the map."""
-        drives = []
-        for text in self.files_of(parameters, "TRAJECTORY", context):
-            read = trajectory_of(text, self.label_of("TRAJECTORY"), context, crs_wkt)
-            if read.format == "layer" and read.crs_wkt:
-                self.same_crs("TRAJECTORY", read.crs_wkt, "BUILDINGS", crs_wkt)
-            for note in read.notes:
-                progress.warn(note)
-            drives.append(read.trajectory)
-        return drives
 
     def read_sky(self, parameters, context, table, drives, progress):
         """The core's sky (None without navigation), and GPS seconds less the drives' time."""

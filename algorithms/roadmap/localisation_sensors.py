@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
-
 from ...urbanmap_qgis.settings.localisation import EvidenceSettings, ScannerSettings
-from ..framework.declaring.parameters import Declarations, tr
+from ..framework.declaring.parameters import Declarations
 
 
 class LocalisationSensors(Declarations):
     """Methods with which the algorithm declares sensors, satellites and the simulation, and reads their settings."""
 
     def add_satellites(self):
-        self.declare_parameter(QgsProcessingParameterMultipleLayers(
-            "NAVIGATION", tr("Navigation"), QgsProcessing.SourceType.TypeFile, None, True),
-            "RINEX navigation files or SP3 orbits: then satellites count too.")
+        self.add_files("NAVIGATION", "Navigation", "RINEX navigation files or SP3 orbits: then satellites count too.",
+                       optional=True)
         self.add_text("TIME", "Time", "Time in UTC for roads and areas, such as 2024-04-18 02:30:00; left empty, six "
                       "times over the hours of the navigation files. A trajectory has times of its own.")
         self.add_number("ELEVATION_MASK", "Elevation mask", "Satellites lower than this are not used.", 10.0, 0.0, 60.0,

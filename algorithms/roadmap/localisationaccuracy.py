@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from qgis.core import QgsProcessing
-
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.declaring.parameters import tr
 from .localisation_inputs import LocalisationInputs
 from .localisation_sensors import LocalisationSensors
 
@@ -36,19 +34,16 @@ class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgo
         self.add_satellites()
         self.add_sensors()
         self.add_simulation()
-        self.add_layer_output("OUTPUT", "Localisation accuracy", "Points along the roads: sigma_along, "
-                              "sigma_across (m), sigma_heading (degrees) together, and of each source (…_walls, "
-                              "…_markings, …_satellites); major, minor (m) and weakest (bearing of the major "
-                              "axis) of the error ellipse; undetermined (directions that keep what was known "
-                              "before) and elsewhere (share of scans that end beside the place); alias_share, "
-                              "alias_distance, alias_bearing; points, "
-                              "n_walls, horizon and sky (share with "
-                              "walls), cell_rms, two_surfaces, satellites, pdop; class and status.",
-                              source_type=QgsProcessing.SourceType.TypeVectorPoint)
+        self.add_layer_output("OUTPUT", "Localisation accuracy", "Points along the roads: sigma_along, sigma_across "
+                              "(m), sigma_heading (degrees) together, and of each source (…_walls, …_markings, "
+                              "…_satellites); major, minor (m) and weakest (bearing of the major axis) of the error "
+                              "ellipse; undetermined (directions that keep what was known before) and elsewhere (share "
+                              "of scans that end beside the place); alias_share, alias_distance, alias_bearing; "
+                              "points, n_walls, horizon and sky (share with walls), cell_rms, two_surfaces, "
+                              "satellites, pdop; class and status.", kind="point")
         self.add_raster_output("OUTPUT_RASTER", "Localisation accuracy, raster", "Sigma of the weakest direction, m, "
                                "in cells of the spacing.", optional=True)
-        self.add_file_output("OUTPUT_REPORT", "Report", "Road by class, the worst stretches with pictures, and what "
-                             "was simulated.", HTML_FILTER, optional=True, by_default=True)
+        self.add_report("Road by class, the worst stretches with pictures, and what was simulated.", by_default=True)
         self.add_number_output("PLACES", "Places", "Number of places.")
         self.add_number_output("MEDIAN_SIGMA", "Median sigma", "Of the weakest direction, over the places that have "
                                "one.", "m")
@@ -88,9 +83,9 @@ class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgo
         check = self._simulated(parameters, context, city, result, settings, crs, progress.part(0.4, 0.9))
         columns = accuracy_columns(result)
         place = np.where(np.isfinite(result.places.place), result.places.place, 0.0)
-        results = {"OUTPUT": self.write_layer(parameters, "OUTPUT", context, None, columns, crs,
+        results = self.write_layer(parameters, "OUTPUT", context, None, columns, crs,
                                               shapely.points(place), "PointZ", "localisation_accuracy",
-                                              progress.part(0.9, 1.0))}
+                                              progress.part(0.9, 1.0))
         self._raster(parameters, context, result, crs, results)
         results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_localisation_report, city, result, check)
         if check is not None:
@@ -133,7 +128,8 @@ class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgo
         if buildings and len(buildings[2]):
             progress.warn(tr("{0}: {1} of {2} features have no heights and are left out; give the field with the "
                              "height of their tops.").format(table.label, len(buildings[2]), len(table)))
-        drives = self.drives_of(parameters, context, table.crs_wkt, progress)
+        read = self.read_trajectories(parameters, context, table.crs_wkt, progress, "BUILDINGS")
+        drives = [item.trajectory for item in read]
         sky, shift = self.read_sky(parameters, context, table, drives, progress)
         places = self._places(parameters, context, table, drives, shift)
         city = LocalisationMap(buildings[1] if buildings else None, markings[1] if markings else None, sky,

@@ -14,19 +14,19 @@ def write_map_layers(stage, parameters, context, built, crs, ids=()) -> dict[str
     high = built.has_heights()
     suffix = "Z" if high else ""
     columns = lane_columns(built)
-    results = {"OUTPUT_LANES": stage.write_layer(
+    results = stage.write_layer(
         parameters, "OUTPUT_LANES", context, None, columns, crs,
-        [built.area(number) for number in range(len(built.lanes))], "Polygon", style="lanes")}
+        [built.area(number) for number in range(len(built.lanes))], "Polygon", style="lanes")
     shown = ("lane_id", "kind", "width")
-    results["OUTPUT_CENTRES"] = stage.write_layer(
+    results |= stage.write_layer(
         parameters, "OUTPUT_CENTRES", context, None, {name: columns[name] for name in shown}, crs,
         [shapely.linestrings(lane.centre if high else lane.centre[:, :2]) for lane in built.lanes],
         f"LineString{suffix}", style="lane_centres")
-    results["OUTPUT_BOUNDS"] = stage.write_layer(
+    results |= stage.write_layer(
         parameters, "OUTPUT_BOUNDS", context, None, bound_columns(built, ids), crs,
         [shapely.linestrings(built.bound_points(bound)[:, :3 if high else 2]) for bound in built.bounds],
         f"LineString{suffix}", style="lane_bounds")
-    results["OUTPUT_FINDINGS"] = stage.write_layer(
+    results |= stage.write_layer(
         parameters, "OUTPUT_FINDINGS", context, None,
         {name: [getattr(one, name) for one in built.findings] for name in ("kind", "text")}, crs,
         [shapely.points(one.x, one.y) for one in built.findings], "Point", style="map_findings")

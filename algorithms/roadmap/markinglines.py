@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 
-from qgis.core import QgsProcessing, QgsProcessingParameterDefinition
+from qgis.core import QgsProcessingParameterDefinition
 
 from ...urbanmap_qgis.errors import InputError
 from ...urbanmap_qgis.settings.roadmap import LineSettings
@@ -50,17 +50,15 @@ class MarkingLines(UrbanMapAlgorithm):
                               "dashed, stop line, guiding strip), colour, width and width_sigma (m, of the paint; by "
                               "marking points, or empty where nothing tells it to 3 cm), sigma (m, across), length "
                               "(m), bridged (m without paint that should be there), period and dash (m), dashes "
-                              "(begins and ends along the line, m), chain (sections of one line), partner (chain "
-                              "that makes it a double line), confidence (0 to 1: share of the paint that should be "
-                              "there and is seen; of a stop line less where only lines' ends or only a crosswalk "
-                              "show it), placed (ends among the dashes' that are worn and lie where whole dashes ask "
-                              "for them, m), sigmas (m, at each vertex, growing with the distance to the paint).",
-                              source_type=QgsProcessing.SourceType.TypeVectorLine)
+                              "(begins and ends along the line, m), chain (sections of one line), partner (chain that "
+                              "makes it a double line), confidence (0 to 1: share of the paint that should be there "
+                              "and is seen; of a stop line less where only lines' ends or only a crosswalk show it), "
+                              "placed (ends among the dashes' that are worn and lie where whole dashes ask for them, "
+                              "m), sigmas (m, at each vertex, growing with the distance to the paint).", kind="line")
         self.add_layer_output("OUTPUT_AREAS", "Marking areas", "Polygons: class (crosswalk; arrow straight, ..., or "
                               "arrow, kind unknown; diamond; unknown), colour, heading (degrees from grid north in "
-                              "which it is read), score (0 to 1: agreement with the shape; of a crosswalk paint at "
-                              "its bars' places less that between them).",
-                              source_type=QgsProcessing.SourceType.TypeVectorPolygon)
+                              "which it is read), score (0 to 1: agreement with the shape; of a crosswalk paint at its "
+                              "bars' places less that between them).", kind="polygon")
         self.add_number_output("LINES", "Lines", "Number of lines.")
         self.add_number_output("LENGTH", "Length", "Length of all lines.", "m")
         self.add_number_output("CROSSWALKS", "Crosswalks", "Number of crosswalks.")
@@ -90,7 +88,7 @@ class MarkingLines(UrbanMapAlgorithm):
         lines = self._write_lines(parameters, context, work, crs, ground is not None, progress.part(0.8, 0.9))
         areas = self._write_areas(parameters, context, work, crs, ground is not None, progress.part(0.9, 1.0))
         unknown = sum(area.polygon.area for area in work.areas if area.kind == "unknown")
-        return {"OUTPUT": lines, "OUTPUT_AREAS": areas, "LINES": len(work.lines),
+        return {**lines, **areas, "LINES": len(work.lines),
                 "LENGTH": float(sum(line.plan.length for line in work.lines)),
                 "CROSSWALKS": sum(area.kind == "crosswalk" for area in work.areas),
                 "UNKNOWN_SHARE": float(unknown / max(sum(shape.area for shape in polygons), 1e-9))}

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 
-from qgis.core import QgsProcessing
-
 from ...urbanmap_qgis.errors import InputError
 from ...urbanmap_qgis.settings.roadmap import EdgeSettings
 from ..framework.base import UrbanMapAlgorithm
@@ -48,17 +46,16 @@ class RoadEdges(UrbanMapAlgorithm):
                         "value no edge is found.", optional=True)
         self.add_settings(EdgeSettings)
         self.add_vector("OBJECTS", "Objects", "Objects of “Objects from images” for the GeoPackage.", optional=True,
-                        source_type=QgsProcessing.SourceType.TypeVectorAnyGeometry)
-        self.add_vector("WALLS", "Walls", "Walls of “Walls from a mobile survey” for the GeoPackage.",
-                        optional=True, source_type=QgsProcessing.SourceType.TypeVectorPolygon)
+                        kind="geometry")
+        self.add_vector("WALLS", "Walls", "Walls of “Walls from a mobile survey” for the GeoPackage.", optional=True,
+                        kind="polygon")
         self.add_points_crs()
-        line = QgsProcessing.SourceType.TypeVectorLine
         self.add_layer_output("OUTPUT", "Road edges", "LineStringZ along the foot: edge_id, kind (kerb, lowered kerb, "
                               "road border, guard rail, wall), height, sigma (across), sigma_z, length (m), points, "
                               "passes, completeness (share of the line that was measured), chain (parts of one edge), "
-                              "gap (m to the next part), status (measured, doubtful), reason.", source_type=line)
+                              "gap (m to the next part), status (measured, doubtful), reason.", kind="line")
         self.add_layer_output("OUTPUT_TOPS", "Upper edges", "The same along the top: edge_id, kind, height, sigma, "
-                              "sigma_z, status.", optional=True, by_default=True, source_type=line)
+                              "sigma_z, status.", optional=True, by_default=True, kind="line")
         self.add_file_output("OUTPUT_PACKAGE", "All features", "One GeoPackage with the layers edges, upper_edges and, "
                              "where given, objects and walls.", GEOPACKAGE_FILTER, optional=True)
         self.add_number_output("EDGES", "Edges", "Number of lines.")
@@ -128,9 +125,9 @@ class RoadEdges(UrbanMapAlgorithm):
         tops = [shapely.linestrings(edge.top) for edge in edges]
         top_columns = {item.name(): columns[item.name()] for item in top_fields}
         results = {
-            "OUTPUT": self.write_layer(parameters, "OUTPUT", context, fields, columns, crs, feet, "LineStringZ",
+            **self.write_layer(parameters, "OUTPUT", context, fields, columns, crs, feet, "LineStringZ",
                                        style="road_edges", progress=progress),
-            "OUTPUT_TOPS": self.write_layer(parameters, "OUTPUT_TOPS", context, top_fields, top_columns, crs, tops,
+            **self.write_layer(parameters, "OUTPUT_TOPS", context, top_fields, top_columns, crs, tops,
                                             "LineStringZ", style="road_edges")}
         package = self.output_path(parameters, "OUTPUT_PACKAGE", context)
         if package is not None:
@@ -138,7 +135,7 @@ class RoadEdges(UrbanMapAlgorithm):
                    PackageLayer("upper_edges", top_fields, top_columns, tops, "LineStringZ")]
             write_package(package, measured + carried, crs)
             results["OUTPUT_PACKAGE"] = str(package)
-        return {name: place for name, place in results.items() if place}
+        return results
 
     def _tell(self, found, settings, progress):
         import numpy as np

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from collections import Counter
 
-from qgis.core import QgsProcessing
-
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.declaring.parameters import tr
 from ..framework.layers.layers import make_fields
-from .data_date import day_of
+from .streetobjects import StreetObjects, creation_day
 from .surveyed_model import compute_surveyed, write_no_areas
 
 # QGIS takes whole numbers for places in this list: 1 and 2 stand at theirs.
@@ -51,15 +49,14 @@ class RoadModel(UrbanMapAlgorithm):
                         "heights; 3.0 with one height across; 3.1 also with lanes and cuts at stop lines; 3.2 with "
                         "steps from 15 cm; 3.3 with steps from 2 cm; finest: 3.3 where measured edges are given, "
                         "else 1.", LEVELS, FINEST)
-        line = QgsProcessing.SourceType.TypeVectorLine
         self.add_vector("EDGES", "Measured edges", "Lines of “Road edges”; needed for LOD2 and finer.", optional=True,
-                        source_type=line)
-        self.add_vector("TOPS", "Upper edges", "Upper edges of “Road edges”: heights of steps by place. Without them "
-                        "a kerb has its median height all along.", optional=True, source_type=line)
+                        kind="line")
+        self.add_vector("TOPS", "Upper edges", "Upper edges of “Road edges”: heights of steps by place. Without them a "
+                        "kerb has its median height all along.", optional=True, kind="line")
         self.add_polygons("LANES", "Lanes", "Lanes of “Lane map”; where one edge of a road was seen, they tell how far "
                           "its carriageway goes.", optional=True)
         self.add_vector("STOP_LINES", "Stop lines", "Lines of “Lines from road markings”, of which the stop lines are "
-                        "taken, or a layer of stop lines.", optional=True, source_type=line)
+                        "taken, or a layer of stop lines.", optional=True, kind="line")
         self.add_raster("GROUND", "Ground elevation", "Heights in metres of what lies more than half a metre from "
                         "kerbs; without it they come from the edges about.", optional=True)
         self.add_polygons("BRIDGES", "Bridges", "Outlines of bridges and viaducts, in the CRS of the roads: surfaces "
@@ -73,9 +70,7 @@ class RoadModel(UrbanMapAlgorithm):
                         "CityGML.", MATERIALS, "other data")
         self.add_choice("MAP_LEVEL", "Map level of the edges", "Of the map that the edges are from, for the quality "
                         "attributes of CityGML.", MAP_LEVELS, MAP_LEVELS[0], advanced=True)
-        self.add_text("DATA_DATE", "Date of the data", "Day on which the model was made, such as 2026-04-01; CityGML "
-                      "has it as creationDate, which PLATEAU asks for.", "", advanced=True)
-        point = QgsProcessing.SourceType.TypeVectorPoint
+        self.add_from(StreetObjects, "DATA_DATE")
         self.add_layer_output("OUTPUT", "Road surfaces", "Polygons: road_id, kind (road, junction, bridge, tunnel), "
                               "function (code), width (mean, m), arms (roads that meet, of a junction), area (m²), "
                               "source (official, measured), status (made, to look at), finding.")
@@ -85,16 +80,14 @@ class RoadModel(UrbanMapAlgorithm):
                               "official: the weakest of its border), seen (share of the border measured as a kerb "
                               "without doubt), step (highest, m), sigma (m).", optional=True, by_default=True)
         self.add_layer_output("OUTPUT_STEPS", "Steps", "LineStringZ along the upper edge of each face: area_id, "
-                              "height, length (m); of LOD3.2 and 3.3.", optional=True, source_type=line)
+                              "height, length (m); of LOD3.2 and 3.3.", optional=True, kind="line")
         self.add_layer_output("OUTPUT_AXES", "Middle lines of roads", "Lines equally far from both edges: road_id of "
-                              "their surface, kind, width and length (m).", optional=True, source_type=line,
-                              by_default=True)
+                              "their surface, kind, width and length (m).", optional=True, by_default=True, kind="line")
         self.add_layer_output("OUTPUT_FINDINGS", "Findings", "Points: kind and a sentence on what to look at.",
-                              optional=True, source_type=point, by_default=True)
+                              optional=True, by_default=True, kind="point")
         self.add_folder_output("OUTPUT_CITYGML", "CityGML folder", "CityGML 2.0 with i-UR 3.2 as PLATEAU lays it out: "
                                "udx/tran by third meshes, with the lists of codes.", optional=True)
-        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: verdict, figures, a map, pictures of the "
-                             "junctions to look at, findings.", HTML_FILTER, optional=True)
+        self.add_report("HTML report: verdict, figures, a map, pictures of the junctions to look at, findings.")
         self.add_number_output("SURFACES", "Surfaces", "Number of surfaces.")
         self.add_number_output("JUNCTIONS", "Junctions", "Number of junctions.")
         self.add_number_output("FINDINGS", "Findings", "Number of findings.")
@@ -119,7 +112,7 @@ class RoadModel(UrbanMapAlgorithm):
             if source is not None:
                 self.require_projected(name, source.sourceCrs())
         check_function(self.parameterAsString(parameters, "FUNCTION", context))
-        day_of(self, parameters, context)
+        self.day_of(parameters, "DATA_DATE", context)
 
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.roadspace.road_city import known_functions
@@ -162,21 +155,21 @@ class RoadModel(UrbanMapAlgorithm):
                       for name in ("kind", "width", "arms", "source", "status", "finding")},
                    "area": [piece.polygon.area for piece in built.pieces],
                    "function": [piece.function or function for piece in built.pieces]}
-        results = {"OUTPUT": self.write_layer(
+        results = self.write_layer(
             parameters, "OUTPUT", context, make_fields(*FIELDS), columns, crs,
-            [piece.polygon for piece in built.pieces], "Polygon", style="road_surfaces")}
+            [piece.polygon for piece in built.pieces], "Polygon", style="road_surfaces")
         owners = [built.pieces[axis.piece] for axis in built.axes]
         lines = [shapely.linestrings(axis.points) for axis in built.axes]
-        results["OUTPUT_AXES"] = self.write_layer(
+        results |= self.write_layer(
             parameters, "OUTPUT_AXES", context, None, {
                 "road_id": [axis.piece + 1 for axis in built.axes], "kind": [owner.kind for owner in owners],
                 "width": [owner.width for owner in owners], "length": [line.length for line in lines]},
             crs, lines, "LineString", style="road_axes")
-        results["OUTPUT_FINDINGS"] = self.write_layer(
+        results |= self.write_layer(
             parameters, "OUTPUT_FINDINGS", context, None,
             {name: [getattr(one, name) for one in built.findings] for name in ("kind", "text")}, crs,
             [shapely.points(one.x, one.y) for one in built.findings], "Point", style="road_findings")
-        return {name: place for name, place in results.items() if place}
+        return results
 
     def _write_citygml(self, parameters, context, folder, built, table, progress):
         from ...urbanmap_qgis.roadspace.road_city import write_road_citygml
@@ -190,13 +183,10 @@ class RoadModel(UrbanMapAlgorithm):
         from ...urbanmap_qgis.roadspace.road_city import RoadDelivery
 
         level = self.parameterAsString(parameters, "MAP_LEVEL", context)
-        created = day_of(self, parameters, context)
-        if not created:
-            progress.warn(tr("{0} is not given: CityGML then has no creationDate, which PLATEAU asks for.").format(
-                self.label_of("DATA_DATE")))
         return RoadDelivery(function=self.parameterAsString(parameters, "FUNCTION", context),
                             material=self.parameterAsString(parameters, "MATERIAL", context),
-                            map_level=int(level) if level.isdigit() else 0, created=created)
+                            map_level=int(level) if level.isdigit() else 0,
+                            created=creation_day(self, parameters, context, progress))
 
     def _tell(self, built, progress):
         for kind, count in sorted(Counter(piece.kind for piece in built.pieces).items()):

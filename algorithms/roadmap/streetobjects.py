@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from collections import Counter
 
-from qgis.core import QgsProcessing
-
 from ...urbanmap_qgis.settings.roadmap import EdgeSettings, ObjectSettings
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.declaring.parameters import tr
 from ..framework.layers.layers import make_fields
 from ..mobile.survey_inputs import read_survey
-from .data_date import day_of
 
 FIELDS = ("object_id", "kind", "confidence", "height", "diameter", "lean", "azimuth", "crown", "arm", "arm_height",
           "head_height", "board_width", "board_height", "board_z", "sigma", "points", "passes", "status", "reason",
@@ -49,19 +46,18 @@ class StreetObjects(UrbanMapAlgorithm):
                         "value no object is found.", optional=True)
         self.add_settings(ObjectSettings)
         self.add_points_crs()
-        point, line = QgsProcessing.SourceType.TypeVectorPoint, QgsProcessing.SourceType.TypeVectorLine
-        self.add_layer_output(
-            "OUTPUT", "Street objects", "PointZ at the foot: object_id, kind (pole, lamp post, signal, sign, tree, "
-            "bollard, other upright), confidence (0 to 1), height over the ground, diameter (of the stem, or the "
-            "longer sides of a box), lean (degrees), azimuth (degrees, of a board's face or an arm), crown (diameter), "
-            "arm and arm_height (length, and height over the ground), head_height (of what is at its end), "
-            "board_width, board_height, board_z (height of the board's middle), sigma (east and north each, m), "
-            "points, passes, status (measured, doubtful), reason, second_kind (the next likely).", source_type=point)
-        self.add_layer_output(
-            "OUTPUT_RAILS", "Guard rails", "LineStringZ along the foot: rail_id, height, sigma (across), sigma_z, "
-            "length (m), points, passes, status, reason; as “Road edges” finds them.", optional=True, source_type=line)
-        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: verdict, figures, a map, what is doubtful.",
-                             HTML_FILTER, optional=True)
+        self.add_layer_output("OUTPUT", "Street objects", "PointZ at the foot: object_id, kind (pole, lamp post, "
+                              "signal, sign, tree, bollard, other upright), confidence (0 to 1), height over the "
+                              "ground, diameter (of the stem, or the longer sides of a box), lean (degrees), azimuth "
+                              "(degrees, of a board's face or an arm), crown (diameter), arm and arm_height (length, "
+                              "and height over the ground), head_height (of what is at its end), board_width, "
+                              "board_height, board_z (height of the board's middle), sigma (east and north each, m), "
+                              "points, passes, status (measured, doubtful), reason, second_kind (the next likely).",
+                              kind="point")
+        self.add_layer_output("OUTPUT_RAILS", "Guard rails", "LineStringZ along the foot: rail_id, height, sigma "
+                              "(across), sigma_z, length (m), points, passes, status, reason; as “Road edges” finds "
+                              "them.", optional=True, kind="line")
+        self.add_report("HTML report: verdict, figures, a map, what is doubtful.")
         self.add_folder_output("OUTPUT_CITYGML", "CityGML folder", "CityGML 2.0 with i-UR 3.2 as PLATEAU lays it out: "
                                "udx/frn (city furniture) and udx/veg (trees) by third meshes, with the lists of "
                                "codes; LOD1 as blocks, LOD2 of posts with arms and boards.", optional=True)
@@ -73,7 +69,7 @@ class StreetObjects(UrbanMapAlgorithm):
                                "objects; no value without any.", "m")
 
     def check(self, parameters, context):
-        day_of(self, parameters, context)
+        self.day_of(parameters, "DATA_DATE", context)
 
     def compute(self, parameters, context, feedback):
         import numpy as np
@@ -135,26 +131,22 @@ class StreetObjects(UrbanMapAlgorithm):
                    "board_z": [float(thing.board.centre[2]) if thing.board else None for thing in objects],
                    "reason": [tr(thing.reason) if thing.reason else None for thing in objects],
                    "second_kind": [thing.second or None for thing in objects]}
-        results = {"OUTPUT": self.write_layer(
+        results = self.write_layer(
             parameters, "OUTPUT", context, make_fields(*FIELDS), columns, crs,
-            [shapely.points(thing.foot) for thing in objects], "PointZ", style="street_objects")}
+            [shapely.points(thing.foot) for thing in objects], "PointZ", style="street_objects")
         if parameters.get("OUTPUT_RAILS") not in (None, ""):
             rail_columns = {"rail_id": list(range(1, len(rails) + 1)),
                             **{name: [getattr(rail, name) for rail in rails] for name in RAIL_FIELDS[1:]},
                             "reason": [tr(rail.reason) if rail.reason else None for rail in rails]}
-            results["OUTPUT_RAILS"] = self.write_layer(
+            results |= self.write_layer(
                 parameters, "OUTPUT_RAILS", context, make_fields(*RAIL_FIELDS), rail_columns, crs,
                 [shapely.linestrings(rail.foot) for rail in rails], "LineStringZ", style="street_rails")
-        return {name: place for name, place in results.items() if place}
+        return results
 
     def _write_citygml(self, parameters, context, folder, found, crs, progress):
         from ...urbanmap_qgis.roadmap.objects.object_city import write_object_citygml
 
-        day = day_of(self, parameters, context)
-        if not day:
-            progress.warn(tr("{0} is not given: CityGML then has no creationDate, which PLATEAU asks for.").format(
-                self.label_of("DATA_DATE")))
-        write_object_citygml(folder, found.objects, crs, day, progress)
+        write_object_citygml(folder, found.objects, crs, creation_day(self, parameters, context, progress), progress)
         return str(folder)
 
     def _tell(self, found, progress):
@@ -164,3 +156,12 @@ class StreetObjects(UrbanMapAlgorithm):
         reasons = Counter(thing.reason for thing in found.objects if thing.reason)
         for reason, count in sorted(reasons.items()):
             progress.message(tr("{0} objects are doubtful: {1}.").format(count, tr(reason)))
+
+
+def creation_day(algorithm, parameters, context, progress) -> str:
+    """The day of DATA_DATE for CityGML, ISO 8601; without one the user is told."""
+    day = algorithm.day_of(parameters, "DATA_DATE", context)
+    if not day:
+        progress.warn(tr("{0} is not given: CityGML then has no creationDate, which PLATEAU asks for.").format(
+            algorithm.label_of("DATA_DATE")))
+    return day

@@ -65,15 +65,15 @@ def write_area_layers(algorithm, parameters, context, model, crs) -> dict:
                "step": [steps.get(number) for number in range(len(areas))],
                **{name: [getattr(area, name) for area in areas] for name in (
                    "kind", "width", "source", "seen", "sigma")}}
-    results = {"OUTPUT_AREAS": algorithm.write_layer(
+    results = algorithm.write_layer(
         parameters, "OUTPUT_AREAS", context, make_fields(*AREA_FIELDS), columns, crs,
-        [area.raised for area in areas], "PolygonZ", style="road_areas")}
-    results["OUTPUT_STEPS"] = algorithm.write_layer(
+        [area.raised for area in areas], "PolygonZ", style="road_areas")
+    results |= algorithm.write_layer(
         parameters, "OUTPUT_STEPS", context, None, {
             "area_id": [step.area + 1 for step in model.steps],
             **{name: [getattr(step, name) for step in model.steps] for name in ("height", "length")}},
         crs, [shapely.linestrings(step.upper) for step in model.steps], "LineStringZ", style="road_steps")
-    return {name: place for name, place in results.items() if place}
+    return results
 
 
 def write_no_areas(algorithm, parameters, context, crs) -> dict:

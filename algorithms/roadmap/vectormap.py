@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from collections import Counter
 
-from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
-
 from ...urbanmap_qgis.errors import InputError
 from ...urbanmap_qgis.settings.roadmap import MapSettings
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import HTML_FILTER, tr
-from .driven_paths import add_street_objects, check_drives, read_drives, with_photo
+from ..framework.declaring.parameters import tr
+from .driven_paths import add_street_objects, read_drives, with_photo
 from .map_outputs import DATUMS, write_map_files, write_map_layers
 from .map_report import write_map_report
 
@@ -44,33 +42,26 @@ class VectorMap(UrbanMapAlgorithm):
 
     def declare(self):
         self.add_vector("LINES", "Marking lines", "Lines of “Lines from road markings” (fields class, colour, width, "
-                        "sigma, chain, partner; class alone is enough), in a projected CRS in metres; or bounds of "
-                        "an earlier run that were edited by hand, whose ids are kept.",
-                        source_type=QgsProcessing.SourceType.TypeVectorLine)
+                        "sigma, chain, partner; class alone is enough), in a projected CRS in metres; or bounds of an "
+                        "earlier run that were edited by hand, whose ids are kept.", kind="line")
         self.add_polygons("AREAS", "Marking areas", "Crosswalks and arrows of “Lines from road markings” (fields "
                           "class, heading).", optional=True)
         self.add_vector("EDGES", "Road edges", "Lines of kerbs, road borders or rails, in the CRS of the lines: they "
-                        "are bounds of lanes too.", optional=True,
-                        source_type=QgsProcessing.SourceType.TypeVectorLine)
+                        "are bounds of lanes too.", optional=True, kind="line")
         self.add_raster("ORTHOPHOTO", "Orthophoto", "Image of the place with pixels of 0.15 m or finer, in the CRS of "
                         "the lines: edges of the road that its surface shows become bounds where no kerb was measured, "
                         "faint lines are looked for where the width of the lanes asks for one, and lines beyond the "
                         "edge of the road are left out. Findings tell each.", optional=True)
-        self.declare_parameter(QgsProcessingParameterMultipleLayers(
-            "TRAJECTORY", tr("Trajectories"), QgsProcessing.SourceType.TypeFile, None, True),
-            "Corrected trajectories of drives in the CRS of the lines: they show directions and ways through "
-            "junctions.")
+        self.add_files("TRAJECTORY", "Trajectories", "Corrected trajectories of drives in the CRS of the lines: they "
+                       "show directions and ways through junctions.", optional=True)
         self.add_vector("ROADS", "Road axes", "Axes of roads of another map, in the CRS of the lines, with any of the "
                         "fields oneway, lanes and speed_limit or maxspeed as OpenStreetMap has them: they tell "
-                        "directions where nothing else does, and speed limits.", optional=True,
-                        source_type=QgsProcessing.SourceType.TypeVectorLine)
+                        "directions where nothing else does, and speed limits.", optional=True, kind="line")
         self.add_vector("OBJECTS", "Street objects", "Points of “Street objects”, in the CRS of the lines: posts, "
-                        "boards and signals go into the Lanelet2 and OpenDRIVE files, signals with the stop line "
-                        "above whose lanes they hang.", optional=True,
-                        source_type=QgsProcessing.SourceType.TypeVectorPoint)
+                        "boards and signals go into the Lanelet2 and OpenDRIVE files, signals with the stop line above "
+                        "whose lanes they hang.", optional=True, kind="point")
         self.add_vector("RAILS", "Guard rails", "Lines of guard rails of “Street objects”, in the CRS of the lines, "
-                        "for the Lanelet2 and OpenDRIVE files.", optional=True,
-                        source_type=QgsProcessing.SourceType.TypeVectorLine)
+                        "for the Lanelet2 and OpenDRIVE files.", optional=True, kind="line")
         self.add_settings(MapSettings)
         self.add_number("SPEED_LIMIT", "Speed limit", "Of lanes for which road axes tell none; left empty, they have "
                         "none.", None, 1.0, 200.0, unit="km/h", optional=True)
@@ -82,18 +73,16 @@ class VectorMap(UrbanMapAlgorithm):
                         PROJECTORS, "TransverseMercator", advanced=True)
         self.add_choice("VERTICAL_DATUM", "Vertical datum", "Of the lines' heights, for Autoware's projector file.",
                         DATUMS, "not stated", advanced=True)
-        line, area = QgsProcessing.SourceType.TypeVectorLine, QgsProcessing.SourceType.TypeVectorPolygon
         self.add_layer_output("OUTPUT_LANES", "Lanes", "Polygons: lane_id, kind (lane, virtual), direction's evidence, "
                               "width and narrowest (m), turn, arrows, successors, left, right and opposite (ids of "
                               "neighbours), stop_lines and crosswalks (numbers), yields_to (lane_ids that have the way "
                               "before it, inferred), yields_by (why), confidence (of ways that no drive shows).",
-                              source_type=area)
+                              kind="polygon")
         self.add_layer_output("OUTPUT_CENTRES", "Centre lines of lanes", "Lines in the direction of traffic: lane_id, "
-                              "width (m).", optional=True, by_default=True, source_type=line)
+                              "width (m).", optional=True, by_default=True, kind="line")
         self.add_layer_output("OUTPUT_BOUNDS", "Bounds of lanes", "Lines: bound_id, class, colour, width, sigma (m), "
-                              "sigmas (m, at each vertex, growing with the distance to a line), double, "
-                              "unseen (m without a line), lanes (number of lanes that have it).",
-                              source_type=line)
+                              "sigmas (m, at each vertex, growing with the distance to a line), double, unseen (m "
+                              "without a line), lanes (number of lanes that have it).", kind="line")
         self.add_file_output("OUTPUT_LANELET2", "Lanelet2 file", "Lanes, intersections, stop lines and crosswalks with "
                              "the tags of Lanelet2 and Autoware.", OSM_FILTER, optional=True)
         self.add_file_output("OUTPUT_PROJECTOR", "Projector file", "Autoware's map_projector_info.yaml of the Lanelet2 "
@@ -102,10 +91,8 @@ class VectorMap(UrbanMapAlgorithm):
                              "crosswalks as ASAM OpenDRIVE 1.7; coordinates are those of the CRS less the header's "
                              "offset.", XODR_FILTER, optional=True)
         self.add_layer_output("OUTPUT_FINDINGS", "Findings", "Points: kind and a sentence on what is missing or "
-                              "contradicts.", optional=True, by_default=True,
-                              source_type=QgsProcessing.SourceType.TypeVectorPoint)
-        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: verdict, figures, pictures of the junctions and "
-                             "findings with their places.", HTML_FILTER, optional=True)
+                              "contradicts.", optional=True, by_default=True, kind="point")
+        self.add_report("HTML report: verdict, figures, pictures of the junctions and findings with their places.")
         self.add_number_output("LANES", "Lanes", "Number of lanes, virtual ones included.")
         self.add_number_output("LENGTH", "Length of lanes", "Of their centre lines, virtual ones not counted.", "m")
         self.add_number_output("FINDINGS", "Findings", "Number of findings.")
@@ -114,7 +101,6 @@ class VectorMap(UrbanMapAlgorithm):
         source = self.parameterAsSource(parameters, "LINES", context)
         if source is not None:
             self.require_projected("LINES", source.sourceCrs())
-        check_drives(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.roadmap.bound_ids import bound_ids

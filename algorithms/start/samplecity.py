@@ -10,7 +10,6 @@ from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.layers.shown_results import show_layer, shown_after
-from ..framework.running.workers import workers
 
 SCENES = ("canyon", "few markings", "repainted", "elevated road")
 
@@ -95,7 +94,7 @@ class SampleCity(UrbanMapAlgorithm):
         from ...urbanmap_qgis.samplecity.write import make_city
 
         folder = self._folder(parameters, context)
-        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+        with self.workers(parameters, context) as executor:
             result = make_city(folder, self.parameterAsDouble(parameters, "SIZE", context),
                                self.parameterAsString(parameters, "SCENE", context),
                                self.parameterAsInt(parameters, "SEED", context), self.progress(feedback), executor,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.running.chain import GivenParameters
-from ..roadmap.driven_paths import check_drives
 from ..roadmap.markinglines import MarkingLines
 from ..roadmap.vectormap import VectorMap
 
@@ -44,9 +43,6 @@ class LaneMap(UrbanMapAlgorithm):
         self.add_from(MarkingLines, OUTPUT_LINES="OUTPUT", optional=True, by_default=True)
         self.add_from(MarkingLines, "OUTPUT_AREAS", optional=True, by_default=True)
         self.add_from(VectorMap, *FILES, *FIGURES)
-
-    def check(self, parameters, context):
-        check_drives(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
         given = GivenParameters(parameters)

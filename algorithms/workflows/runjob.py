@@ -9,7 +9,7 @@ from qgis.core import QgsProcessingException, QgsProcessingParameterString
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.declaring.parameters import tr
 from ..framework.jobs.job_steps import algorithm_of, filled_parameters, results_folder, shown_results_of
 from ..framework.layers.shown_results import show_layer, shown_after
 
@@ -43,8 +43,7 @@ class RunJob(UrbanMapAlgorithm):
         self.add_boolean("AGAIN", "Run all steps again", "Also those that are done.", False, advanced=True)
         self.add_folder_output("FOLDER", "Folder of the results", "If none is given, a folder beside the job, under "
                                "its name.", optional=True)
-        self.add_file_output("OUTPUT_REPORT", "Report", "Each step with its state, verdict and results.", HTML_FILTER,
-                             optional=True)
+        self.add_report("Each step with its state, verdict and results.")
         self.add_text_output("JOB_FILE", "Job file", "File in which it stands how far the job is.")
         self.add_text_output("RESULTS", "Results", "Folder in which the results lie.")
         self.add_number_output("STEPS_RUN", "Steps run", "Steps that were run now.")

@@ -8,7 +8,7 @@ from qgis.core import QgsApplication, QgsProcessingParameterString
 
 from ...urbanmap_qgis.errors import InsufficientDataError, UrbanMapError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.declaring.parameters import tr
 from ..framework.layers.shown_results import show_layer, shown_after
 from ..framework.running.cluster import check_cluster
 from ..framework.tiles.tiled_algorithms import CUTTABLE, WHOLE
@@ -63,9 +63,8 @@ class TiledRun(UrbanMapAlgorithm):
         self.add_layer_output("OUTPUT", "Tiles", "One square a tile with status, reason, time, memory.")
         self.add_folder_output("OUTPUT_FOLDER", "Folder of the run", "Results by tile, merged results, and what a "
                                "later run needs to go on.")
-        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: how many buildings or walls are ok, "
-                             "doubtful and failed, which tiles failed and why, time, memory, disk, a map.",
-                             HTML_FILTER, optional=True)
+        self.add_report("HTML report: how many buildings or walls are ok, doubtful and failed, which tiles failed and "
+                        "why, time, memory, disk, a map.")
         for name, label in (("TILES", "Tiles"), ("DONE", "Tiles done"), ("EMPTY", "Empty tiles"),
                             ("FAILED", "Failed tiles"), ("KEPT", "Tiles kept from an earlier run")):
             self.add_number_output(name, label, "Number of them.")
@@ -142,7 +141,7 @@ class TiledRun(UrbanMapAlgorithm):
             progress.message(counts.sentence())
         report = self._report(parameters, context, inputs, [records[tile.name] for tile in tiles], kept_tiles, counts)
         layer = self._write(parameters, context, inputs, tiles, records, progress.part(0.97, 1.0))
-        return {"OUTPUT": layer, "OUTPUT_FOLDER": str(folder), "OUTPUT_REPORT": report, "TILES": len(tiles),
+        return {**layer, "OUTPUT_FOLDER": str(folder), "OUTPUT_REPORT": report, "TILES": len(tiles),
                 "DONE": count[DONE], "EMPTY": count[EMPTY], "FAILED": count[FAILED], "KEPT": kept_tiles}, merged
 
     def judge(self, results, feedback):

@@ -4844,82 +4844,6 @@
         <translation>道路縁の元になった地図の情報レベル。CityGML の品質属性に書きます。（none、500、1000、2500、5000）</translation>
     </message>
     <message>
-        <source>Day on which the model was made, such as 2026-04-01; CityGML has it as creationDate, which PLATEAU asks for.</source>
-        <translation>モデルの作成日（例：2026-04-01）。CityGML では PLATEAU が必須とする creationDate になります。</translation>
-    </message>
-    <message>
-        <source>Road surfaces</source>
-        <translation>道路面</translation>
-    </message>
-    <message>
-        <source>Polygons: road_id, kind (road, junction, bridge, tunnel), function (code), width (mean, m), arms (roads that meet, of a junction), area (m²), source (official, measured), status (made, to look at), finding.</source>
-        <translation>ポリゴン：road_id、kind（道路、交差部、橋梁、トンネル）、function（コード）、width（平均、m）、arms（交差部に集まる道路の数）、area（m²）、source（公的資料・計測）、status（作成・要確認）、finding。</translation>
-    </message>
-    <message>
-        <source>Areas of roads</source>
-        <translation>道路の区分面</translation>
-    </message>
-    <message>
-        <source>PolygonZ, of LOD2 and finer: area_id, road_id of its surface, kind (carriageway, junction, lane, sidewalk, island; road, not surveyed), function (code), width (m), area (m²), source (measured, doubtful, continued, official: the weakest of its border), seen (share of the border measured as a kerb without doubt), step (highest, m), sigma (m).</source>
-        <translation>LOD2 以上の PolygonZ。area_id、属する道路面の road_id、kind（車道部、交差部、車線、歩道部、島、未計測の道路）、function（コード）、width（m）、area（m²）、source（計測・不確か・延長・公的資料：境界のうち最も弱いもの）、seen（縁石として確かに計測した境界の割合）、step（最大の段差、m）、sigma（m）。</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>手順</translation>
-    </message>
-    <message>
-        <source>LineStringZ along the upper edge of each face: area_id, height, length (m); of LOD3.2 and 3.3.</source>
-        <translation>各段差面の上端の LineStringZ。area_id、height、length（m）。LOD3.2 と 3.3。</translation>
-    </message>
-    <message>
-        <source>Middle lines of roads</source>
-        <translation>道路中心線</translation>
-    </message>
-    <message>
-        <source>Lines equally far from both edges: road_id of their surface, kind, width and length (m).</source>
-        <translation>左右の道路縁から等距離の線：属する面の road_id、kind、width と length（m）。</translation>
-    </message>
-    <message>
-        <source>Findings</source>
-        <translation>指摘事項</translation>
-    </message>
-    <message>
-        <source>Points: kind and a sentence on what to look at.</source>
-        <translation>点：種類と、確認する内容の文。</translation>
-    </message>
-    <message>
-        <source>CityGML folder</source>
-        <translation>CityGML のフォルダ</translation>
-    </message>
-    <message>
-        <source>CityGML 2.0 with i-UR 3.2 as PLATEAU lays it out: udx/tran by third meshes, with the lists of codes.</source>
-        <translation>PLATEAU の構成による CityGML 2.0（i-UR 3.2）：3次メッシュごとの udx/tran とコードリスト。</translation>
-    </message>
-    <message>
-        <source>HTML report: verdict, figures, a map, pictures of the junctions to look at, findings.</source>
-        <translation>HTML の報告書：判定、数値、全体図、要確認箇所の図、指摘事項。</translation>
-    </message>
-    <message>
-        <source>Number of surfaces.</source>
-        <translation>面の数。</translation>
-    </message>
-    <message>
-        <source>Number of junctions.</source>
-        <translation>交差部の数。</translation>
-    </message>
-    <message>
-        <source>Junctions</source>
-        <translation>交差部の数</translation>
-    </message>
-    <message>
-        <source>Number of findings.</source>
-        <translation>指摘事項の数。</translation>
-    </message>
-    <message>
-        <source>Road model</source>
-        <translation>道路モデル</translation>
-    </message>
-    <message>
         <source>Heights of the ground in metres, from which those of the points are counted. Without it the ground is found among the points; where the raster has no value no object is found.</source>
         <translation>点の高さの基準とする地表の標高（m）。ない場合は点群から地表を求めます。ラスタに値がない場所では地物を検出しません。</translation>
     </message>
@@ -4964,8 +4888,16 @@
         <translation>HTML レポート。判定、数値、地図、不確かな地物の一覧。</translation>
     </message>
     <message>
+        <source>CityGML folder</source>
+        <translation>CityGML のフォルダ</translation>
+    </message>
+    <message>
         <source>CityGML 2.0 with i-UR 3.2 as PLATEAU lays it out: udx/frn (city furniture) and udx/veg (trees) by third meshes, with the lists of codes; LOD1 as blocks, LOD2 of posts with arms and boards.</source>
         <translation>PLATEAU の構成による CityGML 2.0（i-UR 3.2）。udx/frn（都市設備）と udx/veg（樹木）を3次メッシュごとに、コードリストとともに出力します。LOD1 は立体、LOD2 は柱と腕・標識板の面です。</translation>
+    </message>
+    <message>
+        <source>Day on which the model was made, such as 2026-04-01; CityGML has it as creationDate, which PLATEAU asks for.</source>
+        <translation>モデルの作成日（例：2026-04-01）。CityGML では PLATEAU が必須とする creationDate になります。</translation>
     </message>
     <message>
         <source>Number of objects.</source>
@@ -4982,6 +4914,74 @@
     <message>
         <source>Median standard deviation of the feet of measured objects; no value without any.</source>
         <translation>計測できた地物の根元の標準偏差の中央値。地物がない場合は値なし。</translation>
+    </message>
+    <message>
+        <source>Road surfaces</source>
+        <translation>道路面</translation>
+    </message>
+    <message>
+        <source>Polygons: road_id, kind (road, junction, bridge, tunnel), function (code), width (mean, m), arms (roads that meet, of a junction), area (m²), source (official, measured), status (made, to look at), finding.</source>
+        <translation>ポリゴン：road_id、kind（道路、交差部、橋梁、トンネル）、function（コード）、width（平均、m）、arms（交差部に集まる道路の数）、area（m²）、source（公的資料・計測）、status（作成・要確認）、finding。</translation>
+    </message>
+    <message>
+        <source>Areas of roads</source>
+        <translation>道路の区分面</translation>
+    </message>
+    <message>
+        <source>PolygonZ, of LOD2 and finer: area_id, road_id of its surface, kind (carriageway, junction, lane, sidewalk, island; road, not surveyed), function (code), width (m), area (m²), source (measured, doubtful, continued, official: the weakest of its border), seen (share of the border measured as a kerb without doubt), step (highest, m), sigma (m).</source>
+        <translation>LOD2 以上の PolygonZ。area_id、属する道路面の road_id、kind（車道部、交差部、車線、歩道部、島、未計測の道路）、function（コード）、width（m）、area（m²）、source（計測・不確か・延長・公的資料：境界のうち最も弱いもの）、seen（縁石として確かに計測した境界の割合）、step（最大の段差、m）、sigma（m）。</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>手順</translation>
+    </message>
+    <message>
+        <source>LineStringZ along the upper edge of each face: area_id, height, length (m); of LOD3.2 and 3.3.</source>
+        <translation>各段差面の上端の LineStringZ。area_id、height、length（m）。LOD3.2 と 3.3。</translation>
+    </message>
+    <message>
+        <source>Middle lines of roads</source>
+        <translation>道路中心線</translation>
+    </message>
+    <message>
+        <source>Lines equally far from both edges: road_id of their surface, kind, width and length (m).</source>
+        <translation>左右の道路縁から等距離の線：属する面の road_id、kind、width と length（m）。</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>指摘事項</translation>
+    </message>
+    <message>
+        <source>Points: kind and a sentence on what to look at.</source>
+        <translation>点：種類と、確認する内容の文。</translation>
+    </message>
+    <message>
+        <source>CityGML 2.0 with i-UR 3.2 as PLATEAU lays it out: udx/tran by third meshes, with the lists of codes.</source>
+        <translation>PLATEAU の構成による CityGML 2.0（i-UR 3.2）：3次メッシュごとの udx/tran とコードリスト。</translation>
+    </message>
+    <message>
+        <source>HTML report: verdict, figures, a map, pictures of the junctions to look at, findings.</source>
+        <translation>HTML の報告書：判定、数値、全体図、要確認箇所の図、指摘事項。</translation>
+    </message>
+    <message>
+        <source>Number of surfaces.</source>
+        <translation>面の数。</translation>
+    </message>
+    <message>
+        <source>Number of junctions.</source>
+        <translation>交差部の数。</translation>
+    </message>
+    <message>
+        <source>Junctions</source>
+        <translation>交差部の数</translation>
+    </message>
+    <message>
+        <source>Number of findings.</source>
+        <translation>指摘事項の数。</translation>
+    </message>
+    <message>
+        <source>Road model</source>
+        <translation>道路モデル</translation>
     </message>
     <message>
         <source>Lines of “Lines from road markings” (fields class, colour, width, sigma, chain, partner; class alone is enough), in a projected CRS in metres; or bounds of an earlier run that were edited by hand, whose ids are kept.</source>
@@ -14092,10 +14092,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0}と{1}の両方が指定されています。どちらか一方を指定してください。</translation>
     </message>
     <message>
-        <source>{0}: {1} is no day; give it as 2026-04-01.</source>
-        <translation>{0}：{1} は日付ではありません。2026-04-01 のように指定してください。</translation>
-    </message>
-    <message>
         <source>Give point clouds, a raster or a layer, one of them, and the output of that kind.</source>
         <translation>点群、ラスタ、レイヤのいずれか1つと、同じ種類の出力を指定してください。</translation>
     </message>
@@ -14396,12 +14392,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>位置合わせのパッチは検証点の報告書に載せるものです。検証点も指定するか、パッチを外してください。</translation>
     </message>
     <message>
-        <source>{0}: {1} does not exist; check its name.</source>
-        <translation>{0}: {1}がありません。名前を確認してください。</translation>
-    </message>
-    <message>
         <source>{0}: no file was given; give one or several LAS or LAZ files.</source>
         <translation>{0}: ファイルが指定されていません。LASまたはLAZファイルを1つ以上指定してください。</translation>
+    </message>
+    <message>
+        <source>{0}: {1} does not exist; check its name.</source>
+        <translation>{0}: {1}がありません。名前を確認してください。</translation>
     </message>
     <message>
         <source>{0}: {1} cannot be opened as a raster; check the file.</source>
@@ -14474,6 +14470,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0}: {1} is none of {2}; give one of these words, or its number from 0 on.</source>
         <translation>{0}: {1}は{2}のいずれでもありません。これらの語のいずれか、または0から始まる番号を指定してください。</translation>
+    </message>
+    <message>
+        <source>{0}: {1} is no day; give it as 2026-04-01.</source>
+        <translation>{0}：{1} は日付ではありません。2026-04-01 のように指定してください。</translation>
     </message>
     <message>
         <source>{0} is an id of earlier versions: “{1}” ({2}) does this now; give that.</source>
@@ -16320,6 +16320,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0}: {1}はCSV、SBET、点レイヤのいずれでもありません。ファイルを確認してください。</translation>
     </message>
     <message>
+        <source>{0}: no file was given.</source>
+        <translation>{0}: ファイルが指定されていません。</translation>
+    </message>
+    <message>
         <source>Open a copy in the modeller…</source>
         <translation>複製をモデルデザイナーで開く…</translation>
     </message>
@@ -16522,10 +16526,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0} observations left out: {1}</source>
         <translation>観測値{0}件を除外: {1}</translation>
-    </message>
-    <message>
-        <source>{0}: no file was given.</source>
-        <translation>{0}: ファイルが指定されていません。</translation>
     </message>
     <message>
         <source>{0}: the layer has no field {1}.</source>
@@ -17144,16 +17144,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0} が指定されていません。この詳細度はそれから作ります。</translation>
     </message>
     <message>
-        <source>{0} is not given: CityGML then has no creationDate, which PLATEAU asks for.</source>
-        <translation>{0}が指定されていません。CityGML に PLATEAU が必須とする creationDate が入りません。</translation>
-    </message>
-    <message>
         <source>{0}: {1}</source>
         <translation>{0}：{1}</translation>
     </message>
     <message>
         <source>{0} objects along {1:.0f} m.</source>
         <translation>{1:.0f} m の区間に地物 {0} 個。</translation>
+    </message>
+    <message>
+        <source>{0} is not given: CityGML then has no creationDate, which PLATEAU asks for.</source>
+        <translation>{0}が指定されていません。CityGML に PLATEAU が必須とする creationDate が入りません。</translation>
     </message>
     <message>
         <source>{0} objects are doubtful: {1}.</source>

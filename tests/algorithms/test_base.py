@@ -59,7 +59,7 @@ def example(plugin):
                 columns, table.crs_wkt, table.geometries, "Polygon", progress=progress)
             progress.step(1.0)
             text = self.output_path(parameters, "OUTPUT_TEXT", context)
-            return {"OUTPUT": result, "COUNT": len(table), "OUTPUT_TEXT": text and str(text)}
+            return {**result, "COUNT": len(table), "OUTPUT_TEXT": text and str(text)}
 
     return Example
 
@@ -195,9 +195,8 @@ def test_style_is_saved_in_the_geopackage_and_given_to_the_loaded_layer(
 
         def compute(self, parameters, context, feedback):
             table = self.read_polygons(parameters, "FOOTPRINTS", context)
-            place = self.write_layer(parameters, "OUTPUT", context, table.fields, table.columns, table.crs,
-                                     table.geometries, "Polygon", style="blue")
-            return {"OUTPUT": place}
+            return self.write_layer(parameters, "OUTPUT", context, table.fields, table.columns, table.crs,
+                                    table.geometries, "Polygon", style="blue")
 
     path = tmp_path / "styled.gpkg"
     context = QgsProcessingContext()

@@ -81,7 +81,7 @@ def test_workers_change_nothing(run, small_city, blocks, tmp_path, monkeypatch, 
     ({"IMAGES": None}, "No image was given"),
     ({"TRAJECTORY": None}, "Trajectory: is needed"),
     ({"OUTPUT": "x.dae"}, "must end in .glb"),
-    ({"FRAMES": ["f.tif"]}, "Camera, Exterior orientation: is needed"),
+    ({"FRAMES": [__file__]}, "Camera, Exterior orientation: is needed"),
 ])
 def test_missing_parts_are_one_sentence(run, small_city, blocks, tmp_path, others, sentence):
     from qgis.core import QgsProcessingException

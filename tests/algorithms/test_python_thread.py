@@ -152,7 +152,7 @@ def example(plugin, monkeypatch, module):
                 raise ZeroDivisionError("a mistake in the program")
             layer = self.write_layer(parameters, "OUTPUT", context, layers.make_fields(base=table.fields),
                                      table.columns, table.crs, table.geometries, "Polygon")
-            return {"OUTPUT": layer, "THREAD": threading.current_thread().name}
+            return {**layer, "THREAD": threading.current_thread().name}
 
     return Example
 

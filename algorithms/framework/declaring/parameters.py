@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
+from datetime import date
 from math import isfinite
 from pathlib import Path
 
@@ -56,7 +57,10 @@ SOLIDS = "urbanmap_solids"
 UNIT = re.compile(r" \([^()]*\)$")
 """The unit at the end of a label."""
 
-_POLYGON = QgsProcessing.SourceType.TypeVectorPolygon
+_TYPES = QgsProcessing.SourceType
+KINDS = {"any": _TYPES.TypeVector, "geometry": _TYPES.TypeVectorAnyGeometry, "point": _TYPES.TypeVectorPoint,
+         "line": _TYPES.TypeVectorLine, "polygon": _TYPES.TypeVectorPolygon}
+"""What layers hold, by its word; "any" are tables as well."""
 
 
 def tr(text: str) -> str:
@@ -157,16 +161,21 @@ class Declarations:
         """
         text = help or "One or several LAS, LAZ or COPC files in one projected coordinate system, heights in metres."
         self.points_names().add(name)
-        return self.declare_parameter(QgsProcessingParameterMultipleLayers(
-            name, tr(label), QgsProcessing.SourceType.TypeFile, None, optional), text)
+        return self.add_files(name, label, text, optional)
 
-    def add_points_crs(self, name: str = "POINTS_CRS", label: str = "CRS of the point clouds"):
+    def add_points_crs(self):
         """The CRS of point clouds that state none: taken by itself wherever a file without one is opened in the run."""
-        return self.add_crs(name, label, "Projected coordinate system in metres of files that state none or a wrong "
-                            "one; it counts before what they state.", optional=True, advanced=True)
+        return self.add_crs("POINTS_CRS", "CRS of the point clouds", "Projected coordinate system in metres of files "
+                            "that state none or a wrong one; it counts before what they state.", optional=True,
+                            advanced=True)
 
-    def add_file(self, name: str, label: str, help: str, filter: str = "", extension: str = "",
-                 folder: bool = False, optional: bool = False, advanced: bool = False):
+    def add_files(self, name: str, label: str, help: str, optional: bool = False, advanced: bool = False):
+        """Several files of another kind; read with `files_of`."""
+        return self.declare_parameter(QgsProcessingParameterMultipleLayers(
+            name, tr(label), QgsProcessing.SourceType.TypeFile, None, optional), help, advanced)
+
+    def add_file(self, name: str, label: str, help: str, filter: str = "", folder: bool = False,
+                 optional: bool = False, advanced: bool = False):
         """An existing file (or folder); read with `input_path`. What it is, its reader tells from its content.
 
         QGIS itself refuses, without a reason, names that no filter has.
@@ -174,41 +183,34 @@ class Declarations:
         behavior = QgsProcessingParameterFile.Behavior
         filters = tr(filter) if "(*)" in filter or not filter else f"{tr(filter)};;{tr('All files (*)')}"
         return self.declare_parameter(QgsProcessingParameterFile(
-            name, tr(label), behavior.Folder if folder else behavior.File, extension, None, optional,
-            filters), help, advanced)
+            name, tr(label), behavior.Folder if folder else behavior.File, "", None, optional, filters), help, advanced)
 
     def add_polygons(self, name: str, label: str, help: str, optional: bool = False):
         """A polygon layer; read with `read_polygons`."""
-        return self.declare_parameter(QgsProcessingParameterFeatureSource(
-            name, tr(label), [_POLYGON], None, optional), help)
+        return self.add_vector(name, label, help, optional, "polygon")
 
-    def add_vector(self, name: str, label: str, help: str, optional: bool = False,
-                   source_type=QgsProcessing.SourceType.TypeVector):
-        """A vector layer or table of any kind, or of one `QgsProcessing.SourceType`; read with `read_vector`."""
+    def add_vector(self, name: str, label: str, help: str, optional: bool = False, kind: str = "any"):
+        """A vector layer of one of the `KINDS`; read with `read_vector`."""
         return self.declare_parameter(QgsProcessingParameterFeatureSource(
-            name, tr(label), [source_type], None, optional), help)
+            name, tr(label), [KINDS[kind]], None, optional), help)
 
     def add_table(self, name: str, label: str, help: str, optional: bool = False):
         """A layer or table, which may be a file of text as spreadsheets save it; read with `read_table`."""
         self.table_names().add(name)
         return self.add_vector(name, label, help, optional)
 
-    def add_field(self, name: str, label: str, help: str, parent: str, default: str | None = None,
-                  optional: bool = True, advanced: bool = False):
+    def add_field(self, name: str, label: str, help: str, parent: str, optional: bool = True, advanced: bool = False):
         """A field of the layer parameter `parent`."""
         return self.declare_parameter(QgsProcessingParameterField(
-            name, tr(label), default, parent, QgsProcessingParameterField.DataType.Any, False, optional),
-            help, advanced)
+            name, tr(label), None, parent, QgsProcessingParameterField.DataType.Any, False, optional), help, advanced)
 
     def add_raster(self, name: str, label: str, help: str, optional: bool = False):
         """A raster layer; its file is had with `raster_path`."""
         return self.declare_parameter(QgsProcessingParameterRasterLayer(name, tr(label), None, optional), help)
 
-    def add_crs(self, name: str, label: str, help: str, default=None, optional: bool = False,
-                advanced: bool = False):
+    def add_crs(self, name: str, label: str, help: str, optional: bool = False, advanced: bool = False):
         """A coordinate reference system."""
-        return self.declare_parameter(
-            QgsProcessingParameterCrs(name, tr(label), default, optional), help, advanced)
+        return self.declare_parameter(QgsProcessingParameterCrs(name, tr(label), None, optional), help, advanced)
 
     # Settings
 
@@ -253,6 +255,15 @@ class Declarations:
                 given[field] = None if missing else readers[record.kinds[field].split()[0]](parameters, name, context)
         return record(**given)
 
+    def day_of(self, parameters: Mapping, name: str, context) -> str:
+        """The day that a text parameter names, ISO 8601; empty where none is given."""
+        text = self.parameterAsString(parameters, name, context) or ""
+        try:
+            return date.fromisoformat(text).isoformat() if text else ""
+        except ValueError:
+            raise InputError(tr("{0}: {1} is no day; give it as 2026-04-01.").format(
+                self.label_of(name), text)) from None
+
     # Numbers and choices
 
     def add_number(self, name: str, label: str, help: str, default: float | None = None,
@@ -275,13 +286,19 @@ class Declarations:
         return self.declare_parameter(definition, help, advanced)
 
     def add_workers(self):
-        """How many workers share the work; read with `parameterAsInt`."""
+        """How many workers share the work; see `workers`."""
         self.add_number("WORKERS", "Workers", "Number of buildings or tiles worked on at the same time. The "
                         "result does not depend on it.", 1, 1, 256, integer=True, advanced=True)
         self.add_text("SCHEDULER", "Dask scheduler", "Address of a Dask cluster that shares the work instead of "
                       "workers on this machine, such as tcp://host:8786. The result does not depend on it. "
                       "Inputs, outputs and temporary files must be on storage that all its machines see.",
                       advanced=True)
+
+    def workers(self, parameters: Mapping, context):
+        """Context with the executor of as many workers as WORKERS says."""
+        from ..running.workers import workers
+
+        return workers(self.parameterAsInt(parameters, "WORKERS", context))
 
     def add_boolean(self, name: str, label: str, help: str, default: bool = False, advanced: bool = False):
         """Yes or no."""
@@ -311,15 +328,18 @@ class Declarations:
         return self.declare_parameter(QgsProcessingParameterFileDestination(
             name, tr(label), tr(filter), None, optional, not optional or by_default), help)
 
-    def add_points_output(self, name: str = "OUTPUT", label: str = "Point cloud", help: str = "",
-                          optional: bool = False, by_default: bool = False):
-        """A LAZ or LAS file to write."""
-        return self.add_file_output(name, label, help, LAZ_FILTER, optional, by_default)
+    def add_report(self, help: str, by_default: bool = False):
+        """OUTPUT_REPORT, a page that may be written."""
+        return self.add_file_output("OUTPUT_REPORT", "Report", help, HTML_FILTER, True, by_default)
 
-    def add_folder_output(self, name: str, label: str, help: str, optional: bool = False, by_default: bool = False):
+    def add_points_output(self, name: str, label: str, help: str):
+        """A LAZ or LAS file to write."""
+        return self.add_file_output(name, label, help, LAZ_FILTER)
+
+    def add_folder_output(self, name: str, label: str, help: str, optional: bool = False):
         """A folder to write into."""
         return self.declare_parameter(QgsProcessingParameterFolderDestination(
-            name, tr(label), None, optional, not optional or by_default), help)
+            name, tr(label), None, optional, not optional), help)
 
     def add_raster_output(self, name: str, label: str, help: str, optional: bool = False, by_default: bool = False):
         """A raster to write. Its path: `output_layer_path`."""
@@ -327,10 +347,11 @@ class Declarations:
             name, tr(label), None, optional, not optional or by_default), help)
 
     def add_layer_output(self, name: str, label: str, help: str, optional: bool = False,
-                         source_type=_POLYGON, by_default: bool = False, solids: bool = False):
-        """A vector layer or table to write with `write_layer`; `solids`: of closed bodies, which few formats hold."""
+                         kind: str = "polygon", by_default: bool = False, solids: bool = False):
+        """A layer of one of the `KINDS`, written with `write_layer`; `solids`: of closed bodies, which few formats
+        hold."""
         definition = QgsProcessingParameterFeatureSink(
-            name, tr(label), source_type, None, optional, not optional or by_default)
+            name, tr(label), KINDS[kind], None, optional, not optional or by_default)
         if solids:
             definition.setMetadata({SOLIDS: True})
         return self.declare_parameter(definition, help)

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from qgis.core import QgsProcessing
-
 from ....urbanmap_qgis.errors import InputError
 from ....urbanmap_qgis.progress import SILENT, Progress
 from ..declaring.parameters import tr
@@ -45,7 +43,7 @@ def add_gnss_walls(algorithm):
     algorithm.add_vector("GNSS_WALLS", "Walls by GNSS", "Walls of “Adjust walls by GNSS” from these models: where "
                          "nothing was measured from the street, adjusted and likely ones move the models' walls, "
                          "weighed by their sigma; where they contradict a measured wall, the note tells it.",
-                         optional=True, source_type=QgsProcessing.SourceType.TypeVectorLine)
+                         optional=True, kind="line")
 
 
 def read_gnss_walls(algorithm, parameters, context, crs, progress):

@@ -27,7 +27,6 @@ from qgis.core import (
     QgsProcessingFeatureSource,
     QgsProcessingOutputLayerDefinition,
     QgsProcessingUtils,
-    QgsRectangle,
     QgsWkbTypes,
 )
 from qgis.PyQt.QtCore import QMetaType, QVariant
@@ -121,18 +120,11 @@ def own_fields(fields: QgsFields) -> tuple[tuple[str, ...], QgsFields]:
     return results, plain
 
 
-def read_source(source: QgsProcessingFeatureSource, label: str, progress: Progress = SILENT,
-                extent: tuple[float, float, float, float] | None = None) -> VectorTable:
-    """Read a layer into memory, geometries as shapely's; M values are dropped, arcs become chords.
-
-    `extent` (xmin, ymin, xmax, ymax) reads only what touches it.
-    """
+def read_source(source: QgsProcessingFeatureSource, label: str, progress: Progress = SILENT) -> VectorTable:
+    """Read a layer into memory, geometries as shapely's; M values are dropped, arcs become chords."""
     import numpy as np
     import shapely
 
-    request = QgsFeatureRequest()
-    if extent is not None:
-        request.setFilterRect(QgsRectangle(*extent))
     carried = [index for index, item in enumerate(source.fields()) if item.name().lower() != "fid"]
     fields = QgsFields()
     for index in carried:
@@ -140,7 +132,7 @@ def read_source(source: QgsProcessingFeatureSource, label: str, progress: Progre
     ids, wkb, rows = [], [], []
     # The geometry check of Processing would stop at the first invalid polygon; here each is looked at below.
     unchecked = QgsProcessingFeatureSource.Flag.FlagSkipGeometryValidityChecks
-    for feature in source.getFeatures(request, unchecked):
+    for feature in source.getFeatures(QgsFeatureRequest(), unchecked):
         if len(ids) % BATCH == 0:
             progress.check()
         ids.append(feature.id())
@@ -163,7 +155,7 @@ def table_of_columns(columns: Mapping[str, list], label: str) -> VectorTable:
 
 
 def read_polygon_source(source: QgsProcessingFeatureSource, label: str, progress: Progress = SILENT,
-                        extent: tuple[float, float, float, float] | None = None, target_wkt: str = "") -> VectorTable:
+                        target_wkt: str = "") -> VectorTable:
     """Read polygons in a projected CRS in metres; those in another than `target_wkt`, where given, are taken into it.
 
     Invalid polygons are repaired and noted in `problems`; features without a polygon keep their row, with None as
@@ -187,7 +179,7 @@ def read_polygon_source(source: QgsProcessingFeatureSource, label: str, progress
                                 "the polygons out of it first.").format(
                                     label, QgsWkbTypes.displayString(source.wkbType())))
         require_projected(label, source.sourceCrs())
-        table = read_source(source, label, progress, extent)
+        table = read_source(source, label, progress)
     problems: dict[int, str] = {}
     geometries = table.geometries
     for row in np.flatnonzero(~shapely.is_valid(geometries) & ~shapely.is_missing(geometries)):
@@ -246,7 +238,7 @@ def write_layer(algorithm, parameters: Mapping, name: str, context: QgsProcessin
     if path is None:
         sink, place = algorithm.parameterAsSink(parameters, name, context, fields, wkb_type, reference)
         if sink is None:
-            if parameters.get(name) is None:
+            if parameters.get(name) in (None, ""):
                 return None
             raise OutputError(tr("{0} cannot be written; choose another output.").format(
                 algorithm.label_of(name)))

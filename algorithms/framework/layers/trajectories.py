@@ -15,7 +15,7 @@ from qgis.core import (
 )
 
 from ....urbanmap_qgis.errors import InputError, OutputError
-from ..declaring.parameters import Declarations, is_plain_table, tr
+from ..declaring.parameters import Declarations, is_optional, is_plain_table, tr
 from . import layers
 from .crs import crs_from
 
@@ -46,16 +46,28 @@ class TrajectoryParameters(Declarations):
         self.trajectory_names().add(name)
         return self.add_file(name, label, text, TRAJECTORY_FILTER, optional=optional)
 
-    def add_trajectory_output(self, name: str = "OUTPUT", label: str = "Corrected trajectory", help: str = "",
-                              optional: bool = False, by_default: bool = False):
-        """A trajectory to write in the format of the one that was given; see `write_trajectory`."""
-        text = help or "The same epochs in the format of the trajectory given."
-        return self.add_file_output(name, label, text, TRAJECTORY_FILTER, optional, by_default)
+    def add_trajectories(self, help: str = "", optional: bool = False) -> None:
+        """TRAJECTORY of several drives and how all of them are read; read with `read_trajectories`."""
+        self.add_files("TRAJECTORY", "Trajectories", help or "The trajectory of each drive, with which its points were "
+                       "placed: CSV time,x,y,z,roll,pitch,heading, SBET, or point layers.", optional)
+        self.add_trajectory_reading()
 
-    def add_calibration(self, name: str = "CALIBRATION", optional: bool = False):
-        """A calibration file; read it with the core's `read_calibration(self.input_path(...))`."""
-        return self.add_file(name, "Calibration", "JSON file of the scanners' (and cameras') lever arms and angles on "
-                             "the vehicle.", "Calibration (*.json)", optional=optional)
+    def add_trajectory_output(self, label: str = "Corrected trajectory"):
+        """OUTPUT, a trajectory in the format of the one that was given; see `write_trajectory`."""
+        return self.add_file_output("OUTPUT", label, "The same epochs in the format of the trajectory given.",
+                                    TRAJECTORY_FILTER)
+
+    def add_calibration(self, optional: bool = False):
+        """CALIBRATION; read with `read_calibration`."""
+        return self.add_file("CALIBRATION", "Calibration", "JSON file of the scanners' (and cameras') lever arms and "
+                             "angles on the vehicle.", "Calibration (*.json)", optional=optional)
+
+    def read_calibration(self, parameters: Mapping, context: QgsProcessingContext):
+        """The core's `Calibration` of CALIBRATION, None where none was given."""
+        from ....urbanmap_qgis.mobile.calibration import read_calibration
+
+        path = self.input_path(parameters, "CALIBRATION", context)
+        return read_calibration(path) if path else None
 
     def add_trajectory_reading(self) -> None:
         """Declare ANGLES, GEOID and GEOID_HEIGHT, which hold for all trajectories of the algorithm."""
@@ -99,6 +111,51 @@ class TrajectoryParameters(Declarations):
         if progress is not None:
             tell_of(read, progress)
         return read
+
+    def check_trajectory(self, parameters: Mapping, name: str, context: QgsProcessingContext) -> None:
+        """Refuse a file or layer that does not exist."""
+        text = self.parameterAsFile(parameters, name, context)
+        if text and not trajectory_exists(text, context):
+            raise InputError(tr("{0}: {1} does not exist; check its name.").format(self.label_of(name), text))
+
+    def files_of(self, parameters: Mapping, name: str, context: QgsProcessingContext) -> list[str]:
+        """What a parameter of several files names, each once; trajectories may be layers.
+
+        Raises
+        ------
+        InputError : a file or layer does not exist, or none was given where one is needed.
+        """
+        texts = list(dict.fromkeys(text for text in self.parameterAsFileList(parameters, name, context) if text))
+        for text in texts:
+            if not (trajectory_exists(text, context) if name == "TRAJECTORY" else Path(text).exists()):
+                raise InputError(tr("{0}: {1} does not exist; check its name.").format(self.label_of(name), text))
+        if not texts and not is_optional(self.parameterDefinition(name)):
+            raise InputError(tr("{0}: no file was given.").format(self.label_of(name)))
+        return texts
+
+    def read_trajectories(self, parameters: Mapping, context: QgsProcessingContext, crs_wkt: str, progress,
+                          other: str = "POINTS") -> list:
+        """The core's `TrajectoryFile` of each one that TRAJECTORY names, in the CRS of the parameter `other`."""
+        reading = self.trajectory_reading(parameters, context)
+        read = [trajectory_of(text, self.label_of("TRAJECTORY"), context, crs_wkt, reading)
+                for text in self.files_of(parameters, "TRAJECTORY", context)]
+        for item in read:
+            if item.crs_wkt:
+                self.same_crs("TRAJECTORY", item.crs_wkt, other, crs_wkt)
+            tell_of(item, progress)
+        return read
+
+    def trajectory_files(self, parameters: Mapping, context: QgsProcessingContext) -> list[Path]:
+        """The files that TRAJECTORY names, which name the drives."""
+        return [Path(text.split("|")[0]) for text in self.files_of(parameters, "TRAJECTORY", context)]
+
+    def joined_trajectory(self, parameters: Mapping, context: QgsProcessingContext, crs_wkt: str, progress):
+        """One trajectory of all that TRAJECTORY names, in the CRS of BUILDINGS."""
+        from ....urbanmap_qgis.mobile.trajectory import joined_trajectory
+
+        read = self.read_trajectories(parameters, context, crs_wkt, progress, "BUILDINGS")
+        return joined_trajectory([item.trajectory for item in read],
+                                 [path.name for path in self.trajectory_files(parameters, context)])
 
     def write_trajectory(self, parameters: Mapping, name: str, context: QgsProcessingContext, like, trajectory,
                          crs_wkt: str | None = None) -> str | None:
