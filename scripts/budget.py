@@ -28,7 +28,7 @@ BUDGET = {  # to be lowered only
     "lines of algorithms": 18_090,
     "lines of scripts": 13_040,
     "lines of tests": 59_900,
-    "algorithms and models in the toolbox": 46,
+    "algorithms and models in the toolbox": 48,
 }
 
 FREE_FLOATS = {-1.0, 0.0, 0.5, 1.0, 2.0}

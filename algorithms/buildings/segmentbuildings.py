@@ -100,16 +100,18 @@ class SegmentBuildings(UrbanMapAlgorithm):
                    "shift_status": buildings.shift_status, "status": buildings.status,
                    "open_share": buildings.open_share, "cloud_density": buildings.cloud_density,
                    "beyond": buildings.beyond,
-                   NOTE: [_note(*row) for row in zip(footprints.notes, footprints.usable, buildings.points, takers,
-                                                  dates.notes(buildings.points))]}
+                   NOTE: [_note(*row) for row in zip(footprints.notes, footprints.usable, buildings.points,
+                                                     buildings.status, takers, dates.notes(buildings.points))]}
         return self.write_layer(parameters, "OUTPUT_BUILDINGS", context, fields, columns, table.crs,
                                 buildings.outlines, "MultiPolygon", "segmented_buildings", progress, names)
 
 
-def _note(note: str, usable: bool, points: int, taker, dated: str) -> str:
-    """What is to be said of an outline: its flaws, that nothing stands in it or which building has its points, and what
-    its dates say of the flight."""
+def _note(note: str, usable: bool, points: int, status: str, taker, dated: str) -> str:
+    """What is to be said of an outline: its flaws, that nothing or trees stand in it or which building has its points,
+    and what its dates say of the flight."""
     nothing = "there are no points of a building in its outline" if usable and not points else ""
-    if nothing and taker is not None:
+    if status == "trees":
+        nothing = "trees stand in its outline and no building"
+    elif nothing and taker is not None:
         nothing = f"its points went to building {taker}, whose outline covers it"
     return "; ".join(filter(None, (note, nothing, dated)))

@@ -868,8 +868,8 @@
         <translation>最小信頼度</translation>
     </message>
     <message>
-        <source>What is less likely paint than this, 0 to 1, is left out (parts of long pieces by themselves); at the default about four fifths of the found area are paint. 0 keeps all. Where roads are given, paint is more likely.</source>
-        <translation>塗装である確からしさ（0〜1）がこれより低いもの（長いものは部分ごと）を除く。既定値では抽出面積のおよそ5分の4が塗装である。0はすべてを残す。道路を与えると塗装の確からしさは高くなる。</translation>
+        <source>What is less likely paint than this, 0 to 1, is left out (parts of long pieces by themselves); at the default 60 to 85 % of the found area were paint on eight sunlit orthophotos. 0 keeps all. Where roads are given, paint is more likely.</source>
+        <translation>塗装である確からしさ（0〜1）がこれより低いもの（長いものは部分ごと）を除く。既定値では、日照下のオルソ画像8枚で抽出面積の60〜85 %が塗装であった。0はすべてを残す。道路を与えると塗装の確からしさは高くなる。</translation>
     </message>
     <message>
         <source>Width of filled paint</source>
@@ -2696,6 +2696,58 @@
         <translation>高さのRMSEの平均（良い方から95 %）</translation>
     </message>
     <message>
+        <source>Heights of the ground in metres. Without it the ground is made from the points.</source>
+        <translation>地表の標高（メートル）。ない場合は点群から地表を作成します。</translation>
+    </message>
+    <message>
+        <source>Least area</source>
+        <translation>最小面積</translation>
+    </message>
+    <message>
+        <source>Area in square metres of the smallest building.</source>
+        <translation>抽出する建物の最小面積（m2）。</translation>
+    </message>
+    <message>
+        <source>Regularity</source>
+        <translation>整形の度合い</translation>
+    </message>
+    <message>
+        <source>How far walls may be moved to make an outline straight and square, in multiples of what the spacing of the points calls for. Less keeps small corners, more leaves them out.</source>
+        <translation>外周線を直線的で直角に整えるために壁を動かしてよい量。点の間隔から決まる量に対する倍率です。小さいほど細かな角が残り、大きいほど省かれます。</translation>
+    </message>
+    <message>
+        <source>MultiPolygon, one feature a building: building_id, area (m2), height above the ground and ground (m), points, density (points a m2), sigma of the edges (m), confidence (probability of a roof, mean over the points), status (ok, low, movable, deck, no ground) and reason.</source>
+        <translation>MultiPolygon、建物ごとに1地物：building_id、area（m2）、height（地面からの高さ）とground（m）、points、density（点/m2）、sigma（縁の標準偏差、m）、confidence（屋根である確率、点の平均）、status（ok、low、movable、deck、no ground）、reason。</translation>
+    </message>
+    <message>
+        <source>HTML report: counts, areas, and what may be no building.</source>
+        <translation>HTML報告書：件数、面積、建物でない可能性のあるもの。</translation>
+    </message>
+    <message>
+        <source>Outlines with status ok.</source>
+        <translation>状態がokの外周線の数です。</translation>
+    </message>
+    <message>
+        <source>Outlines of what may be no building.</source>
+        <translation>建物でない可能性のある外周線の数です。</translation>
+    </message>
+    <message>
+        <source>Others</source>
+        <translation>その他</translation>
+    </message>
+    <message>
+        <source>Area of the buildings.</source>
+        <translation>建物の面積です。</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>範囲</translation>
+    </message>
+    <message>
+        <source>Building outlines from ALS</source>
+        <translation>航空レーザ点群からの建物外周線</translation>
+    </message>
+    <message>
         <source>LAS, LAZ or COPC files; they become one.</source>
         <translation>LAS、LAZまたはCOPCファイルです。1つにまとめて出力します。</translation>
     </message>
@@ -3308,10 +3360,6 @@
         <translation>fullは外周線の位置を合わせ、建物になり得る点を選びます。paperは、与えられたままの外周線を拡張した範囲の全点を取り、複数の範囲に入る点はそれぞれに1回ずつ書き出します。(full, paper)</translation>
     </message>
     <message>
-        <source>Heights of the ground in metres. Without it the ground is made from the points.</source>
-        <translation>地表の標高（メートル）。ない場合は点群から地表を作成します。</translation>
-    </message>
-    <message>
         <source>Maximum displacement</source>
         <translation>最大変位</translation>
     </message>
@@ -3464,6 +3512,98 @@
         <translation>点群に屋根が見つからなかった建物です。</translation>
     </message>
     <message>
+        <source>Old building models</source>
+        <translation>既存の建物モデル</translation>
+    </message>
+    <message>
+        <source>MultiPolygonZ with all faces of each building, such as those of “Building models” or “Load city model”; outlines alone tell new and gone ones. A field building_id names the buildings.</source>
+        <translation>各建物のすべての面を持つMultiPolygonZ（「建物モデル」や「都市モデルの読込み」の結果など）。外周線だけの場合は新築と滅失だけが分かります。building_id フィールドで建物を識別します。</translation>
+    </message>
+    <message>
+        <source>Old city model</source>
+        <translation>既存の都市モデル</translation>
+    </message>
+    <message>
+        <source>CityGML (.gml) or CityJSON (.json) file instead of the layer.</source>
+        <translation>レイヤの代わりに指定するCityGML（.gml）またはCityJSON（.json）のファイル。</translation>
+    </message>
+    <message>
+        <source>New point clouds</source>
+        <translation>新しい点群</translation>
+    </message>
+    <message>
+        <source>Area in square metres of the smallest change and of the smallest new building; smaller ones, such as chimneys and dormers, leave a building the same.</source>
+        <translation>変化および新築建物として数える最小面積（m2）。煙突や屋根窓などこれより小さいものは「変化なし」とします。</translation>
+    </message>
+    <message>
+        <source>Least height change</source>
+        <translation>高さの最小変化量</translation>
+    </message>
+    <message>
+        <source>Change of a roof's height in metres from which it counts, where the data are exact enough: it has to be three standard deviations as well.</source>
+        <translation>屋根の高さの変化として数える最小値（m）。データが十分に正確な場合に限り、標準偏差の3倍以上であることも必要です。</translation>
+    </message>
+    <message>
+        <source>Sigma of the heights</source>
+        <translation>高さの標準偏差</translation>
+    </message>
+    <message>
+        <source>Standard deviation in metres of the difference of both epochs' heights on an unchanged roof. Without it, it is found from all roofs.</source>
+        <translation>変化のない屋根における、両時期の高さの差の標準偏差（m）。指定しない場合は、すべての屋根から求めます。</translation>
+    </message>
+    <message>
+        <source>Date of the points</source>
+        <translation>点群の計測日</translation>
+    </message>
+    <message>
+        <source>Day of the new survey, such as 2026-04-01.</source>
+        <translation>新しい計測の日。例：2026-04-01</translation>
+    </message>
+    <message>
+        <source>Updated buildings</source>
+        <translation>更新した建物</translation>
+    </message>
+    <message>
+        <source>MultiPolygonZ, all buildings, gone ones with their old shape: building_id, change, height_change (m), area_change (m2), significance (in standard deviations), seen (share), reason, surveyed (day), and the old fields.</source>
+        <translation>MultiPolygonZ、すべての建物（滅失したものは元の形状）：building_id、change、height_change（m）、area_change（m2）、significance（標準偏差の倍数）、seen（割合）、reason、surveyed（日）、元のフィールド。</translation>
+    </message>
+    <message>
+        <source>The updated city model; objects that stayed the same keep all their values.</source>
+        <translation>更新した都市モデル。変化のないものはすべての値を保ちます。</translation>
+    </message>
+    <message>
+        <source>Folder with the updated CityGML: members that stayed the same keep every byte, changed ones their id and attributes.</source>
+        <translation>更新したCityGMLのフォルダ。変化のない要素は1バイトも変わらず、変化した建物はidと属性を保ちます。</translation>
+    </message>
+    <message>
+        <source>HTML report: counts, offset of the epochs, changes.</source>
+        <translation>HTML報告書：件数、両時期のずれ、変化の一覧。</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>新築</translation>
+    </message>
+    <message>
+        <source>Gone</source>
+        <translation>滅失</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>変化あり</translation>
+    </message>
+    <message>
+        <source>Same</source>
+        <translation>変化なし</translation>
+    </message>
+    <message>
+        <source>Not seen</source>
+        <translation>未観測</translation>
+    </message>
+    <message>
+        <source>Update building models</source>
+        <translation>建物モデルの更新</translation>
+    </message>
+    <message>
         <source>Mobile survey</source>
         <translation>MMS計測</translation>
     </message>
@@ -3570,10 +3710,6 @@
     <message>
         <source>Area of all contours.</source>
         <translation>全輪郭の面積です。</translation>
-    </message>
-    <message>
-        <source>Area</source>
-        <translation>範囲</translation>
     </message>
     <message>
         <source>Median over the walls of the standard deviation of their place in the survey.</source>
@@ -6304,6 +6440,30 @@ Each solid is checked: closed, planar, oriented outwards, no self-intersection. 
         <translation>Javanmardi、5.3.4</translation>
     </message>
     <message>
+        <source>footprint</source>
+        <translation>建物外形</translation>
+    </message>
+    <message>
+        <source>outline</source>
+        <translation>外周線</translation>
+    </message>
+    <message>
+        <source>detection</source>
+        <translation>抽出</translation>
+    </message>
+    <message>
+        <source>Finds the buildings in airborne laser points and draws their outlines, where there is no register of outlines or an old one.
+Points of class 6 are taken where the cloud has them. In other clouds roofs are told from trees by their surfaces: large and smooth ones whose points end their pulses. Roofs that touch make one outline, as party walls cannot be seen from above. An outline is that of the roof, which may hang over the wall, made straight and square where the points say so.
+What may be a vehicle, a bridge or a ship keeps its outline and says so in its status.</source>
+        <translation>航空レーザ点群から建物を抽出し、外周線を描きます。外周線の台帳がない場所、または台帳が古い場所で使います。
+分類された点群ではクラス6の点を使います。そのほかの点群では、面によって屋根と樹木を見分けます。屋根の面は大きく滑らかで、パルスの最後の反射です。上空からは共有壁が見えないため、接する屋根は1つの外周線になります。外周線は屋根の範囲で、壁より張り出すことがあります。点群が示す場合は、直線的で直角の形に整えます。
+車両、橋、船の可能性があるものも外周線を残し、状態に記します。</translation>
+    </message>
+    <message>
+        <source>Javanmardi, 5.3.3</source>
+        <translation>Javanmardi、5.3.3</translation>
+    </message>
+    <message>
         <source>LOD2</source>
         <translation>LOD2</translation>
     </message>
@@ -7248,18 +7408,10 @@ Several drives are given as one: their points together, their trajectories one a
         <translation>ハフ変換</translation>
     </message>
     <message>
-        <source>outline</source>
-        <translation>外周線</translation>
-    </message>
-    <message>
         <source>Draws the polygon of each roof from its points.
 The method “partition” divides each outline among its roofs along straight lines where roofs meet: no gaps, no slivers, common edges. The method “points” first draws the building's outer limit from its points, for outlines that are wrong in shape, then divides it likewise. The method “paper” outlines each roof on its own: radius outlier removal, alpha shape, Hough lines over the ordered boundary points, and the polygon from these lines, at the height of the roof's highest point; it leaves the outline aside and needs roofs of simple shape. A building without a roof then has no polygon; the other methods give it a plain block.</source>
         <translation>各屋根のポリゴンを点から描きます。
 方法「partition」は、屋根どうしが接する直線に沿って、各外周線を屋根に分割します。すき間や細片がなく、辺を共有します。方法「points」は、形状が誤っている外周線のために、まず点から建物の外周を描き、次に同様に分割します。方法「paper」は、各屋根の輪郭を個別に描きます。半径外れ値除去、アルファシェイプ、順序付けた境界点のハフ変換による線、これらの線からのポリゴンの順に求め、屋根の最高点の高さに置きます。外周線は用いず、単純な形状の屋根に限られます。この方法では屋根のない建物にポリゴンはありませんが、ほかの方法では単純ブロックとします。</translation>
-    </message>
-    <message>
-        <source>Javanmardi, 5.3.3</source>
-        <translation>Javanmardi、5.3.3</translation>
     </message>
     <message>
         <source>job</source>
@@ -7376,10 +7528,6 @@ Walls hide satellites; trees, vehicles and bridges do not. Where walls of the mo
     <message>
         <source>Segment buildings</source>
         <translation>建物の抽出</translation>
-    </message>
-    <message>
-        <source>footprint</source>
-        <translation>建物外形</translation>
     </message>
     <message>
         <source>segmentation</source>
@@ -7534,6 +7682,20 @@ The algorithm's parameters are given as lines NAME=VALUE, on the command line al
         <translation>任意の広さの範囲に対し、ほかのアルゴリズムをタイルごとに実行します。各タイルは周囲のバッファを含めて入力を読み、結果のうち自分のタイルに属するものだけを残すため、境界上の建物も一度だけ現れます。
 各タイルの結果は、完全にあるか、まったくないかのどちらかです。同じフォルダ、設定、入力で再度実行すると、中断したところから続けます。失敗したタイルと入力が変わったタイルは処理し直します。1つのタイルの失敗では全体は終わりません。ほかのすべてのタイルを処理して統合した後、エラーとして終了します（コマンドラインでは終了コード1）。
 アルゴリズムのパラメータは、NAME=VALUEの行で与えます（コマンドラインでは直接指定することもできます）。点群、ラスタ、レイヤは切り出し、ほかはすべてのタイルで共通です。レイヤとラスタはフォルダ「merged」に統合し、点群はタイルごとに残します。</translation>
+    </message>
+    <message>
+        <source>city model</source>
+        <translation>都市モデル</translation>
+    </message>
+    <message>
+        <source>Holds an old city model against a new point cloud: which buildings are the same, new, gone, raised, lowered, rebuilt, extended, reduced, or were not seen.
+How far the two epochs lie from each other as a whole is found from all roofs and counts as no change. A building is compared by roof and ground points, so that crowns over it and lorries beside it do not count. What changed and what is new is modelled anew from the points; all others keep their geometry and attributes. A building that too few points show is unseen, never the same and never gone.</source>
+        <translation>既存の都市モデルと新しい点群を比べ、各建物を変化なし、新築、滅失、増階（高くなった）、減階（低くなった）、建て替え、増築、一部除却、未観測に分けます。
+両時期の全体のずれはすべての屋根から求め、変化とは数えません。建物は屋根と地面の点だけで比べるため、上を覆う樹冠や脇のトラックは影響しません。変化した建物と新築の建物は点群から改めてモデル化し、そのほかは形状と属性を保ちます。点が足りない建物は未観測とし、変化なしとも滅失ともしません。</translation>
+    </message>
+    <message>
+        <source>Zhao and Shibasaki</source>
+        <translation>Zhao・柴崎</translation>
     </message>
     <message>
         <source>Makes lanes of line work and drives: bounds shared with the lanes beside, centre lines, width, direction, successors, neighbours, stop lines and crosswalks; as layers, as Lanelet2 file with the tags that Autoware expects, and as OpenDRIVE file.
@@ -8568,6 +8730,34 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{paths} に属性 {name} がありません。先に「{maker}」を実行し、その結果を指定してください。</translation>
     </message>
     <message>
+        <source>It is {height:.1f} m high.</source>
+        <translation>高さは {height:.1f} m です。</translation>
+    </message>
+    <message>
+        <source>{length:.1f} m by {width:.1f} m, {height:.1f} m high: it may be a vehicle or a container.</source>
+        <translation>{length:.1f} m × {width:.1f} m、高さ {height:.1f} m。車両またはコンテナの可能性があります。</translation>
+    </message>
+    <message>
+        <source>{share:.0%} of its edge goes on into the ground without a step.</source>
+        <translation>縁の {share:.0%} が段差なく地面に続いています。</translation>
+    </message>
+    <message>
+        <source>Ground was seen along {share:.0%} of its edge only.</source>
+        <translation>外周のうち {share:.0%} でしか地面が観測されていません。</translation>
+    </message>
+    <message>
+        <source>{count} buildings were found.</source>
+        <translation>建物が {count} 棟見つかりました。</translation>
+    </message>
+    <message>
+        <source>{count} outlines may be no buildings; the table tells why.</source>
+        <translation>{count} 件の外周線は建物でない可能性があります。理由は表にあります。</translation>
+    </message>
+    <message>
+        <source>No point of the cloud lies on a roof: check that it shows buildings and that its heights are in metres.</source>
+        <translation>屋根にある点が見つかりません。点群に建物が含まれ、高さの単位がメートルであることを確認してください。</translation>
+    </message>
+    <message>
         <source>A part of the model has no height: give finite heights.</source>
         <translation>モデルの一部に高さがありません。有限の高さを指定してください。</translation>
     </message>
@@ -9004,10 +9194,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>建物の点のx、y、zの個数が一致しません。</translation>
     </message>
     <message>
-        <source>The return numbers and the coordinates of a building's points differ in number.</source>
-        <translation>建物の点の反射番号と座標の個数が一致しません。</translation>
-    </message>
-    <message>
         <source>Some coordinates of a building's points are not numbers: remove them.</source>
         <translation>建物の点の座標に数値でないものがあります。除いてください。</translation>
     </message>
@@ -9154,6 +9340,50 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>has a fold of {angle:.0f} degrees</source>
         <translation>{angle:.0f} 度の折れがあります</translation>
+    </message>
+    <message>
+        <source>{area:.0f} m2 of its roof differ by {height:+.1f} m.</source>
+        <translation>屋根の {area:.0f} m2 が {height:+.1f} m 異なります。</translation>
+    </message>
+    <message>
+        <source>Ground lies under {area:.0f} m2 of it.</source>
+        <translation>その {area:.0f} m2 の範囲が地面になっています。</translation>
+    </message>
+    <message>
+        <source>The new points show {seen:.0%} of it.</source>
+        <translation>新しい点群で見えるのは {seen:.0%} です。</translation>
+    </message>
+    <message>
+        <source>Ground lies where it stood.</source>
+        <translation>建物のあった場所が地面になっています。</translation>
+    </message>
+    <message>
+        <source>All of its roof lies {height:+.1f} m or more off the block.</source>
+        <translation>屋根全体がブロックの高さから{height:+.1f} m以上ずれています。</translation>
+    </message>
+    <message>
+        <source>Its old heights are not known.</source>
+        <translation>元の高さが不明です。</translation>
+    </message>
+    <message>
+        <source>{area:.0f} m2 of roof, {height:.1f} m high, where no building was.</source>
+        <translation>建物のなかった場所に、高さ {height:.1f} m、{area:.0f} m2 の屋根があります。</translation>
+    </message>
+    <message>
+        <source>No new point lies inside an old building: check that both are of the same place and in the same coordinate system.</source>
+        <translation>既存の建物の内側に新しい点がありません。両者が同じ場所で、同じ座標参照系であることを確認してください。</translation>
+    </message>
+    <message>
+        <source>{area:.0f} m2 were built on to it.</source>
+        <translation>{area:.0f} m2 が増築されました。</translation>
+    </message>
+    <message>
+        <source>{changed} of {count} buildings changed, {same} are the same, {unseen} were not seen.</source>
+        <translation>{count} 棟のうち {changed} 棟が変化し、{same} 棟は変化なし、{unseen} 棟は未観測です。</translation>
+    </message>
+    <message>
+        <source>The new points lie this far from the old model as a whole, which counts as no change.</source>
+        <translation>新しい点群は既存モデルから全体としてこれだけずれています。これは変化として数えません。</translation>
     </message>
     <message>
         <source>a list of codes</source>
@@ -9574,6 +9804,18 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The models state heights in {stated}, not in {given}: convert them first, or leave the height system out.</source>
         <translation>モデルの高さの基準は {stated} で、{given} ではありません。先に変換するか、高さの基準を指定しないでください。</translation>
+    </message>
+    <message>
+        <source>{path} is of another format than the output: choose CityJSON for CityJSON, and a folder of CityGML for CityGML; “Export city model” converts.</source>
+        <translation>{path} は出力と形式が異なります。CityJSONにはCityJSON、CityGMLのフォルダにはCityGMLを選んでください。変換には「都市モデルの書出し」を使います。</translation>
+    </message>
+    <message>
+        <source>{path} is no sound XML ({error}): copy or download it again.</source>
+        <translation>{path} は正しいXMLではありません（{error}）。コピーまたはダウンロードし直してください。</translation>
+    </message>
+    <message>
+        <source>The model is in another reference system ({model}) than what is put into it ({changed}).</source>
+        <translation>モデルの座標参照系（{model}）が、挿入するもの（{changed}）と異なります。</translation>
     </message>
     <message>
         <source>it has no outline and no face from which one could be made</source>
@@ -14084,6 +14326,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0}: フィールド{1}がないか、空の値があります。「屋根ポリゴン」の結果を指定してください。</translation>
     </message>
     <message>
+        <source>{0} buildings; {1} outlines of what may be no building; {2} groups of points are smaller than {3} m2, {4} look like crowns.</source>
+        <translation>建物 {0} 棟、建物でない可能性のある外周線 {1} 件。{3} m2 未満の点の集まりが {2} 件、樹冠とみられるものが {4} 件あります。</translation>
+    </message>
+    <message>
         <source>{0}: this system's GDAL cannot write GeoParquet; give a name that ends in .gpkg.</source>
         <translation>{0}: このシステムのGDALはGeoParquetを書き出せません。.gpkgで終わる名前を指定してください。</translation>
     </message>
@@ -14250,6 +14496,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0} of {1} buildings have no roof in their points.</source>
         <translation>建物{1}棟中{0}棟は点群に屋根がありません。</translation>
+    </message>
+    <message>
+        <source>{0} new, {1} gone, {2} changed, {3} the same, {4} not seen.</source>
+        <translation>新築 {0}、滅失 {1}、変化あり {2}、変化なし {3}、未観測 {4}。</translation>
+    </message>
+    <message>
+        <source>Building {0} changed, but no new model can be made: {1}</source>
+        <translation>建物 {0} は変化しましたが、新しいモデルを作成できません：{1}</translation>
     </message>
     <message>
         <source>No wall was found: the survey shows too little of the buildings, or does not lie on the map.</source>
@@ -14986,6 +15240,26 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>seam of tiles</source>
         <translation>タイルの継ぎ目</translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation>変化</translation>
+    </message>
+    <message>
+        <source>change of height (m)</source>
+        <translation>高さの変化（m）</translation>
+    </message>
+    <message>
+        <source>change of area (m²)</source>
+        <translation>面積の変化（m²）</translation>
+    </message>
+    <message>
+        <source>significance (standard deviations)</source>
+        <translation>有意性（標準偏差の倍数）</translation>
+    </message>
+    <message>
+        <source>day of the survey</source>
+        <translation>計測日</translation>
     </message>
     <message>
         <source>reason</source>
@@ -15896,6 +16170,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>メモリ (MB)</translation>
     </message>
     <message>
+        <source>standard deviation of the edges (m)</source>
+        <translation>道路縁の標準偏差（m）</translation>
+    </message>
+    <message>
+        <source>height above the ground (m)</source>
+        <translation>地表からの高さ (m)</translation>
+    </message>
+    <message>
         <source>height of the roof (m)</source>
         <translation>屋根の標高 (m)</translation>
     </message>
@@ -15920,10 +16202,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>最大の段差（m）</translation>
     </message>
     <message>
-        <source>standard deviation of the edges (m)</source>
-        <translation>道路縁の標準偏差（m）</translation>
-    </message>
-    <message>
         <source>height of the step (m)</source>
         <translation>段差の高さ（m）</translation>
     </message>
@@ -15942,10 +16220,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>standard deviation east and north (m)</source>
         <translation>東・北の標準偏差 (m)</translation>
-    </message>
-    <message>
-        <source>height above the ground (m)</source>
-        <translation>地表からの高さ (m)</translation>
     </message>
     <message>
         <source>direction of board or arm (°)</source>
@@ -17500,6 +17774,34 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>標定点による写真の調整</translation>
     </message>
     <message>
+        <source>Roofs were told by</source>
+        <translation>屋根の判別方法</translation>
+    </message>
+    <message>
+        <source>Roof points a m2</source>
+        <translation>屋根の点（点/m2）</translation>
+    </message>
+    <message>
+        <source>Area of the buildings (m2)</source>
+        <translation>建物の面積（m2）</translation>
+    </message>
+    <message>
+        <source>Median sigma of the edges (m)</source>
+        <translation>縁の標準偏差の中央値（m）</translation>
+    </message>
+    <message>
+        <source>Groups of points below the least area</source>
+        <translation>最小面積に満たない点の集まり</translation>
+    </message>
+    <message>
+        <source>Outlines left out as crowns</source>
+        <translation>樹冠として除いた外周線</translation>
+    </message>
+    <message>
+        <source>What may be no building</source>
+        <translation>建物でない可能性のあるもの</translation>
+    </message>
+    <message>
         <source>Merged building models</source>
         <translation>統合した建物モデル</translation>
     </message>
@@ -17630,6 +17932,42 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Buildings by plan without points</source>
         <translation>点のない平面の割合別の建物</translation>
+    </message>
+    <message>
+        <source>Updated city model</source>
+        <translation>更新した都市モデル</translation>
+    </message>
+    <message>
+        <source>Offset of the epochs</source>
+        <translation>両時期のずれ</translation>
+    </message>
+    <message>
+        <source>East (m)</source>
+        <translation>東（m）</translation>
+    </message>
+    <message>
+        <source>North (m)</source>
+        <translation>北（m）</translation>
+    </message>
+    <message>
+        <source>Up (m)</source>
+        <translation>上（m）</translation>
+    </message>
+    <message>
+        <source>Standard deviation up (m)</source>
+        <translation>上方向の標準偏差（m）</translation>
+    </message>
+    <message>
+        <source>Standard deviation of one cell (m)</source>
+        <translation>1セルの標準偏差（m）</translation>
+    </message>
+    <message>
+        <source>height change (m)</source>
+        <translation>高さの変化（m）</translation>
+    </message>
+    <message>
+        <source>area change (m2)</source>
+        <translation>面積の変化（m2）</translation>
     </message>
     <message>
         <source>Walls adjusted by GNSS</source>
@@ -18716,6 +19054,22 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>30 cm超</translation>
     </message>
     <message>
+        <source>lower than a storey</source>
+        <translation>1階分より低い</translation>
+    </message>
+    <message>
+        <source>vehicle or container</source>
+        <translation>車両またはコンテナ</translation>
+    </message>
+    <message>
+        <source>bridge or ramp</source>
+        <translation>橋または斜路</translation>
+    </message>
+    <message>
+        <source>no ground about it</source>
+        <translation>周囲に地面なし</translation>
+    </message>
+    <message>
         <source>seen well</source>
         <translation>良好に計測</translation>
     </message>
@@ -19354,6 +19708,38 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>failed (see table)</source>
         <translation>失敗（表を参照）</translation>
+    </message>
+    <message>
+        <source>same</source>
+        <translation>変化なし</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>新築</translation>
+    </message>
+    <message>
+        <source>gone</source>
+        <translation>滅失</translation>
+    </message>
+    <message>
+        <source>raised</source>
+        <translation>高くなった</translation>
+    </message>
+    <message>
+        <source>lowered</source>
+        <translation>低くなった</translation>
+    </message>
+    <message>
+        <source>rebuilt</source>
+        <translation>建て替え</translation>
+    </message>
+    <message>
+        <source>extended</source>
+        <translation>増築</translation>
+    </message>
+    <message>
+        <source>reduced</source>
+        <translation>一部除却</translation>
     </message>
 </context>
 </TS>

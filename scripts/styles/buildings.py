@@ -144,6 +144,39 @@ def facade_walls(layer) -> None:
         "seen [% round(100 * \"coverage\") %] %, perhaps hidden [% round(100 * \"hidden\") %] %")
 
 
+DETECTED_STATUS = {"ok": ("building", "#2f9e6e"), "low": ("lower than a storey", "#f2c14e"),
+                   "movable": ("vehicle or container", "#9c6ade"), "deck": ("bridge or ramp", "#7f8fb5"),
+                   "no ground": ("no ground about it", "#d7263d")}
+"""Label and colour of each status of an outline found in points."""
+
+
+def detected_outlines(layer) -> None:
+    """Outlines found in points, by status."""
+    layer.setRenderer(QgsCategorizedSymbolRenderer("status", [
+        QgsRendererCategory(value, fill(colour, colour, 0.5), label)
+        for value, (label, colour) in DETECTED_STATUS.items()]))
+    layer.setMapTipTemplate(
+        "<b>Building [% \"building_id\" %]</b>: [% \"status\" %] [% \"reason\" %]<br>"
+        "[% round(\"area\") %] m², [% round(\"height\", 1) %] m high<br>"
+        "σ of the edges [% round(100 * \"sigma\") %] cm, roof with [% round(100 * \"confidence\") %] %")
+
+
+CHANGES = {"same": ("same", "#c9ccd1"), "new": ("new", "#2f9e6e"), "gone": ("gone", "#d7263d"),
+           "raised": ("raised", "#f08a4b"), "lowered": ("lowered", "#4a8fe7"), "rebuilt": ("rebuilt", "#9c6ade"),
+           "extended": ("extended", "#8bc34a"), "reduced": ("reduced", "#f2c14e"), "unseen": ("not seen", "#ffffff")}
+"""Label and colour of each kind of change of a building."""
+
+
+def updated_buildings(layer) -> None:
+    """Buildings by what became of them."""
+    layer.setRenderer(QgsCategorizedSymbolRenderer("change", [
+        QgsRendererCategory(value, fill(colour, EDGE, 0.3), label) for value, (label, colour) in CHANGES.items()]))
+    layer.setRenderer3D(renderer_3d({value: colour for value, (_, colour) in CHANGES.items()}, "change",
+                                    CHANGES["same"][1]))
+    layer.setMapTipTemplate("<b>Building [% \"building_id\" %]</b>: [% \"change\" %]<br>[% \"reason\" %]<br>"
+                            "height [% round(\"height_change\", 1) %] m, area [% round(\"area_change\") %] m²")
+
+
 FACADE_STATUS = {"textured": ("textured", "#2f9e6e"), "partly seen": ("seen in part", "#f2c14e"),
                  "not seen": ("not seen", "#9aa5ad")}
 """Label and colour of each status of a facade with or without texture."""
@@ -259,6 +292,10 @@ FIELDS = {
     city_faults: ("Point", "rule:string severity:string text:string type:string gml_id:string"),
     segmented_buildings: ("MultiPolygon", "building_id:integer status:string shift_status:string shift_x:double "
                           "shift_y:double shift_sigma:double points:integer density:double"),
+    detected_outlines: ("MultiPolygon", "building_id:integer status:string reason:string area:double height:double "
+                        "sigma:double confidence:double"),
+    updated_buildings: ("MultiPolygonZ", "building_id:string change:string reason:string height_change:double "
+                        "area_change:double"),
     roof_polygons: ("PolygonZ", "building_id:integer roof_id:integer height:double status:string points:integer "
                     "rmse:double coverage:double"),
     building_models: ("MultiPolygonZ", "building_id:integer status:string reason:string roofs:integer height:double "

@@ -48,6 +48,8 @@ RECIPES: dict[str, dict] = {
     "buildingmodels": {"ROOFS": "roofpolygons:OUTPUT", "FOOTPRINTS": "segmentbuildings:OUTPUT_BUILDINGS",
                        "GROUND": HEIGHTS["GROUND"], "POINTS": ["segmentroofs:OUTPUT"]},
     "buildingsfromals": {"POINTS": ["city:als/als.laz"], **OUTLINES},
+    "buildingoutlines": {"POINTS": ["city:als/als.laz"]},
+    "updatebuildings": {"BUILDINGS": "buildingmodels:OUTPUT", "POINTS": ["city:als/als.laz"]},
     "mesh25d": {"POINTS": ["city:als/als.laz"], **OUTLINES, "GROUND": HEIGHTS["GROUND"]},
     "wallsfrommms": {"POINTS": DRIVE["POINTS"], "BUILDINGS": OUTLINES["FOOTPRINTS"],
                      "TRAJECTORY": [DRIVE["TRAJECTORY"]]},

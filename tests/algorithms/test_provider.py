@@ -13,7 +13,8 @@ import pytest
 from scripts.budget import BUDGET
 
 ROOT = Path(__file__).resolve().parents[2]
-CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes", "filtervehicles",
+CONTRACT = ("buildingoutlines", "updatebuildings",
+            "samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes", "filtervehicles",
             "roadmarkingsfromorthophoto", "aerialmarkings",
             "registermms", "adjustsurveys", "calibratescanner",
             "georeferencemms", "applytrajectory", "landmarkupdate", "checkaccuracy", "loadgsi", "checkmodel",

@@ -171,9 +171,8 @@ def test_smooth_surfaces_that_no_roof_took_are_candidates_and_trees_are_not():
     under = (points[:, 0] > 12) & (points[:, 0] < 18) & (points[:, 1] > 2) & (points[:, 1] < 8)
     seen = ~(((points[:, 0] > 2) & (points[:, 0] < 8) & (points[:, 1] > 2) & (points[:, 1] < 8) | under)
              & (points[:, 2] == 8.0))
-    several = np.isin(np.arange(len(points)), np.arange(len(roof) + len(upper), len(points) - len(low)))
-    use = candidate_points(*points[seen].T, on_roof[seen], several[seen], np.zeros(seen.sum(), bool), BOX, 0.0)
-    everything = candidate_points(*points[seen].T, on_roof[seen], several[seen], np.ones(seen.sum(), bool), BOX, 0.0)
+    use = candidate_points(*points[seen].T, on_roof[seen], np.zeros(seen.sum(), bool), BOX, 0.0)
+    everything = candidate_points(*points[seen].T, on_roof[seen], np.ones(seen.sum(), bool), BOX, 0.0)
     assert (everything == (points[seen][:, 2] >= 2.0)).all()
     kept = points[seen][use]
     assert (kept[:, 2] == 20.0).sum() > 0.8 * len(upper)

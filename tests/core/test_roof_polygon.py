@@ -15,7 +15,6 @@ from urbanmap_qgis.buildings.polygons.radius_outliers import EXPECTED_NEIGHBOURS
 from urbanmap_qgis.buildings.polygons.roof_polygon import paper_roof_polygons, roof_polygon
 from urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs
 from urbanmap_qgis.buildings.segmentation import segment_buildings
-from urbanmap_qgis.buildings.unclassified_roofs import unclassified_roof_points
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.io.points.pointcloud import open_cloud, read_all
 
@@ -170,20 +169,6 @@ def scene(seed=1, density=9.0):
     z[tower], classes[tower] = 48.7, 1
     z[tree], classes[tree], several[tree] = 9 + rng.uniform(1, 8, tree.sum()), 1, True
     return x, y, z + rng.normal(0, 0.03, len(x)), classes, several, tower, tree
-
-
-def test_a_smooth_surface_is_a_roof_and_a_tree_is_none():
-    x, y, z, classes, several, tower, tree = scene()
-    high, known = tower | tree, classes == 6
-    found = unclassified_roof_points(x[high], y[high], z[high], several[high], x[known], y[known], OUTLINE, 9.0)
-    assert found[tower[high]].mean() > 0.95 and found[tree[high]].mean() < 0.05
-
-
-def test_a_car_on_the_roof_is_too_small():
-    x, y = np.random.default_rng(1).uniform(0, 2.2, (2, 60))
-    found = unclassified_roof_points(x + 5, y + 5, np.full(60, 10.5), np.zeros(60, bool), np.zeros(0), np.zeros(0),
-                                     OUTLINE, 9.0)
-    assert not found.any()
 
 
 def test_the_tower_stands_in_the_roofs(tmp_path, make_cloud):

@@ -147,21 +147,6 @@ def test_clutter_gets_no_roof():
     assert result.roofs.height_max[0] < 10.2
 
 
-@pytest.mark.parametrize("returns_known", [True, False])
-def test_tree_over_a_corner_is_no_roof(returns_known):
-    outline = shapely.box(0, 0, 20, 20)
-    rng = np.random.default_rng(3)
-    crown = rng.uniform(-1, 1, (2000, 3))
-    crown = crown[(crown**2).sum(axis=1) < 1] * [4, 4, 3] + [18, 18, 12]
-    roof = scatter(outline, 6.0)
-    seen = roof[((roof[:, :2] - [18, 18]) ** 2).sum(axis=1) > 16]
-    multi = np.r_[np.zeros(len(seen), bool), np.ones(len(crown), bool)] if returns_known else None
-    _, result = segment([seen, crown], outline, multi_return=multi)
-    assert len(result.roofs) == 1
-    assert result.roofs.height[0] == pytest.approx(6.0, abs=0.02)
-    assert (result.roof_of_point[len(seen):] == 0).mean() > 0.99
-
-
 def test_neighbour_in_the_expanded_outline_is_left_out():
     outline = shapely.box(0, 0, 10, 10)
     neighbour = scatter(shapely.box(10, 0, 11, 10), 20.0, seed=1)
@@ -219,7 +204,7 @@ def test_multipolygon_and_far_coordinates():
 
 
 @pytest.mark.parametrize("change", [{"z": np.ones(4)}, {"z": np.full(5, np.nan)}, {"density": 0.0},
-                                    {"ground": np.nan}, {"multi_return": np.ones(3, bool)}])
+                                    {"ground": np.nan}])
 def test_bad_input_is_refused(change):
     arguments = {"x": np.ones(5), "y": np.ones(5), "z": np.ones(5), "outline": shapely.box(0, 0, 2, 2), "ground": 0.0,
                      "density": 1.0}

@@ -8,6 +8,7 @@ import pytest
 import shapely
 from scipy.spatial import cKDTree
 
+from urbanmap_qgis.buildings.detection.roof_surfaces import roof_odds
 from urbanmap_qgis.buildings.roofs.roof_segmentation import NO_POINTS, segment_roofs
 
 DATA = Path(__file__).resolve().parents[2].parent / "shared" / "data" / "als" / "delft_west"
@@ -26,12 +27,12 @@ def read_outlines():
 
 
 def read_points(name):
-    """x, y, z, class and several returns of a file, sorted by x."""
+    """x, y, z, class and last echoes of a file, sorted by x."""
     laspy = pytest.importorskip("laspy")
     las = laspy.read(DATA / name)
     order = np.argsort(las.x, kind="stable")
-    several = np.array(las.number_of_returns) > 1
-    return [np.array(a)[order] for a in (las.x, las.y, las.z, las.classification, several)]
+    last = np.array(las.return_number) >= np.array(las.number_of_returns)
+    return [np.array(a)[order] for a in (las.x, las.y, las.z, las.classification, last)]
 
 
 def within(points, polygon, mask):
@@ -58,15 +59,24 @@ def area():
     return outlines, points, ground
 
 
+def on_roofs(points, ground, density):
+    """Mask of the points whose surfaces are roofs."""
+    high = np.flatnonzero(points[2] > ground + 2.0)
+    mask = np.zeros(len(points[2]), bool)
+    place = np.column_stack([a[high] - a[high].min() for a in points[:3]])
+    mask[high] = roof_odds(place, points[4][high], True, density) > 0
+    return mask
+
+
 def segment_all(area, file, density, classified):
     """Each building's segmentation, and its RMSE of the best 95 % and of all scored points (n, 2), m."""
     outlines, truth, ground = area
     points = read_points(file)
+    roof = points[3] == 6 if classified else on_roofs(points, min(ground.values()), density)
     results, errors = [], []
     for name, outline in outlines.items():
-        mask = points[3] == 6 if classified else points[2] > ground[name] + 2.0
-        x, y, z, _, several = (a[within(points, outline.buffer(1.0), mask)] for a in points)
-        result = segment_roofs(x, y, z, outline, ground[name], density, multi_return=several)
+        x, y, z = (a[within(points, outline.buffer(1.0), roof & (points[2] > ground[name] + 2.0))] for a in points[:3])
+        result = segment_roofs(x, y, z, outline, ground[name], density)
         own = np.column_stack([x, y])
         results.append(result)
         x, y, z = (a[within(truth, outline.buffer(-0.3), truth[3] == 6)] for a in truth[:3])

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import shapely
 
-from ..settings.buildings import RoofParameters
 from .roofs.roof_surface import roof_surface
 
 MAX_ROUGHNESS = 0.3
@@ -15,19 +14,18 @@ MIN_HEIGHT = 2.0
 """Height (m) over the ground below which such a point is no roof."""
 
 
-def candidate_points(x: np.ndarray, y: np.ndarray, z: np.ndarray, on_roof: np.ndarray, several: np.ndarray,
-                     classed: np.ndarray, outline: shapely.Geometry, ground: float) -> np.ndarray:
+def candidate_points(x: np.ndarray, y: np.ndarray, z: np.ndarray, on_roof: np.ndarray, classed: np.ndarray,
+                     outline: shapely.Geometry, ground: float) -> np.ndarray:
     """Mask (n,) of a building's points that can be roof.
 
     Points of roofs, and those in the outline well above the ground that the cloud classes as building or that lie on
-    a smooth surface and are not trees: a model that left a part of its building out must not be measured on the rest
+    a smooth surface: a model that left a part of its building out must not be measured on the rest
     alone.
 
     Parameters
     ----------
     x, y, z : (n,) m.
     on_roof : (n,) whether a roof took the point.
-    several : (n,) whether its pulse had several returns.
     classed : (n,) whether it is of class 6.
     ground : height of the ground, m; NaN where unknown.
     """
@@ -40,7 +38,7 @@ def candidate_points(x: np.ndarray, y: np.ndarray, z: np.ndarray, on_roof: np.nd
         return result
     use = np.flatnonzero(high)
     density = max(np.count_nonzero(inside & high), 1) / max(outline.area, 1.0)
-    surface = roof_surface(x[use], y[use], z[use], outline, density, several[use])
-    smooth = (surface.roughness <= MAX_ROUGHNESS) & ~surface.trees(RoofParameters().max_roughness)
+    surface = roof_surface(x[use], y[use], z[use], outline, density)
+    smooth = (surface.roughness <= MAX_ROUGHNESS)
     result[use] |= left[use] & smooth.ravel()[surface.cell_of_point]
     return result

@@ -159,8 +159,8 @@ def _fit_points(layout: PointLayout, records: np.ndarray, outline: shapely.Geome
     use = on_roof
     if outline is not None and not on_roof.all():
         points = layout.view(records)
-        several, classed = np.asarray(points.number_of_returns) > 1, np.asarray(points.classification) == BUILDING_CLASS
-        use = candidate_points(x, y, z, on_roof, several, classed, outline, base)
+        classed = np.asarray(points.classification) == BUILDING_CLASS
+        use = candidate_points(x, y, z, on_roof, classed, outline, base)
     if not use.any():
         return None
     return FitPoints(np.column_stack([x, y, z])[use], records["roof_id"][use].astype(np.int64))

@@ -151,8 +151,7 @@ def _segment_building(block: RoofBlock, polygon: shapely.Geometry, records: np.n
         found = segment_planes(x, y, z, polygon, foot, block.density, block.planes, least)
         if found.rows:
             return found.roof_of_point, [(*astuple(row), found.status) for row in found.rows]
-    several = np.asarray(points.number_of_returns) > 1
-    result = segment_roofs(x, y, z, polygon, foot, block.density, block.parameters, several, least)
+    result = segment_roofs(x, y, z, polygon, foot, block.density, block.parameters, least)
     return result.roof_of_point, list(_table_rows(result))
 
 

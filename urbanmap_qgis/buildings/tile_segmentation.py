@@ -21,7 +21,7 @@ from .outlines.candidate_points import assign_candidates
 from .outlines.courtyards import with_courtyards
 from .outlines.footprint import Footprints
 from .outlines.outline_placement import place_outlines
-from .outlines.segmented_buildings import SegmentedBuildings
+from .outlines.segmented_buildings import TREES, SegmentedBuildings
 from .outlines.tile_ground import ground_of_points, heights_above
 from .point_assignment import Assignment, points_in_expanded
 from .seen.cloud_cover import cloud_cover
@@ -60,13 +60,13 @@ def segment_tile(tile: Tile, progress: Progress = SILENT) -> tuple[np.ndarray, S
     if ground and len(x):
         above = heights_above(x, y, z, ground, outlines, tile.density)
         outlines[:] = with_courtyards(outlines, x, y, above < _ON_GROUND, tile.density)
-    several = np.asarray(points.number_of_returns) > 1
-    assignment = assign_candidates(x, y, z, classes, above, several, outlines, tile.parameters)
+    last = np.asarray(points.return_number) >= np.asarray(points.number_of_returns)
+    assignment, trees = assign_candidates(x, y, z, classes, above, last, outlines, tile.parameters)
     assigned = np.flatnonzero((assignment.owner >= 0) & tile.inside[assignment.owner])
     order = assigned[stable_order(assignment.owner[assigned])]
     table.count_points(assignment, outlines, ground)
+    table.status[trees] = TREES
     table.count_open(polygons, outlines)
-    last = np.asarray(points.return_number) >= np.asarray(points.number_of_returns)
     cover = cloud_cover(x, y, last, outlines, tile.density)
     table.cloud_density[:], table.beyond[:] = cover.density, cover.beyond
     return _of_tile(tile, table, order, assignment.owner[order])

@@ -37,6 +37,32 @@ class SegmentationParameters(Settings):
 
 
 @record(frozen=True)
+class DetectionSettings(Settings):
+    """How buildings are found without outlines."""
+
+    min_area: float = setting(10.0, "Least area", "Area in square metres of the smallest building.", "m2", 1.0, 10000.0)
+    regularity: float = setting(
+        1.0, "Regularity", "How far walls may be moved to make an outline straight and square, in multiples of what "
+        "the spacing of the points calls for. Less keeps small corners, more leaves them out.", "", 0.1, 5.0,
+        advanced=True)
+
+
+@record(frozen=True)
+class UpdateSettings(Settings):
+    """How an old model is held against a new cloud."""
+
+    min_area: float = setting(
+        10.0, "Least area", "Area in square metres of the smallest change and of the smallest new building; smaller "
+        "ones, such as chimneys and dormers, leave a building the same.", "m2", 1.0, 10000.0)
+    min_height_change: float = setting(
+        0.5, "Least height change", "Change of a roof's height in metres from which it counts, where the data are "
+        "exact enough: it has to be three standard deviations as well.", "m", 0.05, 20.0)
+    sigma: float | None = setting(
+        None, "Sigma of the heights", "Standard deviation in metres of the difference of both epochs' heights on an "
+        "unchanged roof. Without it, it is found from all roofs.", "m", 0.01, 5.0, advanced=True)
+
+
+@record(frozen=True)
 class RoofParameters(Settings):
     """How roofs are segmented (J 5.3.2).
 
@@ -44,7 +70,6 @@ class RoofParameters(Settings):
     ----------
     min_roof_width : m, narrower strips (parapets, wall hits) are part of their neighbour.
     distinct_step : m, parts with a step of this height between them are roofs of their own.
-    max_roughness : m, rougher places are trees where the pulses' returns are not known.
     max_parapet : m, highest parapet above its roof.
     """
 
@@ -77,7 +102,6 @@ class RoofParameters(Settings):
                                 "a roof.", "m", 0.0, 20.0, advanced=True)
     min_roof_width: float = 1.2
     distinct_step: float = 0.8
-    max_roughness: float = 0.5
     max_parapet: float = 1.5
 
 

@@ -64,6 +64,11 @@ _WORDS = {
     "tile": FieldWords(mark("tile")),
     "element": FieldWords(mark("element of the file")),
     "seam": FieldWords(mark("seam of tiles")),
+    "change": FieldWords(mark("change")),
+    "height_change": FieldWords(mark("change of height (m)"), 2),
+    "area_change": FieldWords(mark("change of area (m²)"), 1),
+    "significance": FieldWords(mark("significance (standard deviations)"), 1),
+    "surveyed": FieldWords(mark("day of the survey")),
     "status": FieldWords(mark("status")),
     "reason": FieldWords(mark("reason")),
     "second_kind": FieldWords(mark("kind that is next likely")),
@@ -325,6 +330,8 @@ _WORDS = {
 """Words of fields that mean the same in all layers, or have no other words in the layers of a style."""
 
 _OF_STYLE: dict[tuple[str, str], FieldWords] = {
+    ("detected_outlines", "sigma"): FieldWords(mark("standard deviation of the edges (m)"), 2),
+    ("detected_outlines", "height"): FieldWords(mark("height above the ground (m)"), 2),
     ("roof_polygons", "height"): FieldWords(mark("height of the roof (m)"), 2),
     ("lane_bounds", "unseen"): FieldWords(mark("length without a line (m)"), 2),
     ("lane_bounds", "sigma"): FieldWords(mark("standard deviation across (m)"), 3),

@@ -27,6 +27,7 @@ from qgis.core import (
     QgsProcessingFeatureSource,
     QgsProcessingOutputLayerDefinition,
     QgsProcessingUtils,
+    QgsVectorLayer,
     QgsWkbTypes,
 )
 from qgis.PyQt.QtCore import QMetaType, QVariant
@@ -152,6 +153,33 @@ def table_of_columns(columns: Mapping[str, list], label: str) -> VectorTable:
     count = max(map(len, columns.values()), default=0)
     return VectorTable(label, QgsCoordinateReferenceSystem(), np.arange(count), np.full(count, None, dtype=object),
                        make_fields(*((name, "text") for name in columns)), columns)
+
+
+def table_of_layer(place: str, context: QgsProcessingContext, label: str) -> VectorTable:
+    """A layer that a step made, in memory."""
+    layer = QgsProcessingUtils.mapLayerFromString(place, context)
+    return read_source(QgsProcessingFeatureSource(layer, context), label)
+
+
+def layer_of(context: QgsProcessingContext, fields: QgsFields, columns: Mapping[str, Sequence],
+             crs: QgsCoordinateReferenceSystem, geometries: Sequence, geometry_type: str) -> str:
+    """Id of a layer in memory for a step of a chain, kept by the context."""
+    layer = QgsVectorLayer(geometry_type, "step", "memory")
+    layer.setCrs(crs)
+    layer.dataProvider().addAttributes(list(own_fields(fields)[1]))
+    layer.updateFields()
+    _fill(layer.dataProvider(), features_of(layer.fields(), columns, geometries), layer.name())
+    layer.updateExtents()
+    context.temporaryLayerStore().addMapLayer(layer)
+    return layer.id()
+
+
+def table_of_box(label: str, crs: QgsCoordinateReferenceSystem, low, high) -> VectorTable:
+    """A table of one rectangle between two corners (x, y, ...), such as that of a point cloud."""
+    import numpy as np
+    import shapely
+
+    return VectorTable(label, crs, np.arange(1), np.array([shapely.box(*low[:2], *high[:2])]), QgsFields(), {})
 
 
 def read_polygon_source(source: QgsProcessingFeatureSource, label: str, progress: Progress = SILENT,

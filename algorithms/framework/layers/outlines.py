@@ -54,10 +54,11 @@ def numbers(table: VectorTable, name: str):
 
 
 def open_points(algorithm, parameters: Mapping, context, footprints: VectorTable, progress: Progress = SILENT,
-                may_be_empty: bool = False):
+                may_be_empty: bool = False, name: str = "FOOTPRINTS"):
     """The point cloud of the parameter POINTS, in the CRS of the outlines; None where none was given.
 
-    A cloud that states no CRS is taken to be in the outlines' one, and the user is told.
+    A cloud that states no CRS is taken to be in the outlines' one, and the user is told. `name` is the parameter of the
+    outlines.
 
     Raises
     ------
@@ -72,12 +73,12 @@ def open_points(algorithm, parameters: Mapping, context, footprints: VectorTable
     cloud = open_cloud(paths, may_be_empty=may_be_empty)
     if not cloud.crs_wkt:
         progress.warn(tr("{0}: the files state no coordinate reference system; they are taken to be in that of {1}, "
-                         "{2}.").format(algorithm.label_of("POINTS"), algorithm.label_of("FOOTPRINTS"),
+                         "{2}.").format(algorithm.label_of("POINTS"), algorithm.label_of(name),
                                         crs_name(footprints.crs)))
         refuse_swapped(algorithm, cloud, footprints)
         return replace(cloud, crs_wkt=footprints.crs_wkt)
     algorithm.require_projected("POINTS", cloud.crs_wkt)
-    algorithm.same_crs("POINTS", cloud.crs_wkt, "FOOTPRINTS", footprints.crs)
+    algorithm.same_crs("POINTS", cloud.crs_wkt, name, footprints.crs)
     refuse_swapped(algorithm, cloud, footprints)
     return cloud
 

@@ -62,6 +62,8 @@ WHOLE = {
     "buildingmodels": "it is a part of “Buildings from ALS”, which can be run over tiles",
     "roofpolygons": "it is a part of “Buildings from ALS”, which can be run over tiles",
     "segmentroofs": "it is a part of “Buildings from ALS”, which can be run over tiles",
+    "buildingoutlines": "it works on one tile of the cloud after another by itself; WORKERS or SCHEDULER share them",
+    "updatebuildings": "it works on one tile of the cloud after another by itself; WORKERS or SCHEDULER share them",
     "segmentbuildings": "it is a part of “Buildings from ALS”, which can be run over tiles",
 }
 """Why others cannot: to be said to whoever asks for them."""

@@ -13,6 +13,9 @@ from ..base_height import outline_ground
 from ..point_assignment import Assignment
 from .footprint import Footprints
 
+TREES = "trees"
+"""Status of an outline whose points are crowns and no roof."""
+
 MIN_ROOF_POINTS = 3
 """Points from which a building can have a roof."""
 

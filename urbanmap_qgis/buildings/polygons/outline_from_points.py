@@ -72,7 +72,8 @@ class _Shrink:
 
 
 def outline_from_points(x: np.ndarray, y: np.ndarray, density: float,
-                        neighbours: list[shapely.Geometry] | None = None) -> PointOutline:
+                        neighbours: list[shapely.Geometry] | None = None, regularity: float = 1.0,
+                        outward: bool = True) -> PointOutline:
     """Regularised outline of a building's roof points, courtyards included.
 
     Parameters
@@ -80,6 +81,8 @@ def outline_from_points(x: np.ndarray, y: np.ndarray, density: float,
     x, y : (n,) all roof points of the building, metres.
     density : points per m2.
     neighbours : outlines of the buildings beside it; walls near theirs follow them, and what they cover is theirs.
+    outward : whether edges are put half a spacing outside their points, where the roof ends.
+    regularity : of the tolerance for straight walls, in multiples of what the spacing calls for.
 
     Raises
     ------
@@ -93,8 +96,8 @@ def outline_from_points(x: np.ndarray, y: np.ndarray, density: float,
     rings = [ring for ring in rings if shapely.Polygon(ring).area >= MIN_PART_AREA]
     if not rings:
         raise InsufficientDataError(say("The building's points are too few to draw an outline from them."))
-    tolerance = max(0.5, 1.2 / math.sqrt(density))
-    shrink = _Shrink(xy, density)
+    tolerance = regularity * max(0.5, 1.2 / math.sqrt(density))
+    shrink = _Shrink(xy, density) if outward else _no_shrink
     outer, holes, drawn = [], [], []
     for ring in rings:
         hole = not shapely.LinearRing(ring).is_ccw
@@ -113,6 +116,11 @@ def outline_from_points(x: np.ndarray, y: np.ndarray, density: float,
     status = "curved" if bent[0] else "partly curved" if any(bent) else "regular"
     squares = sum(rms ** 2 * n for _, rms, n in drawn) / sum(n for _, _, n in drawn)
     return PointOutline(outline, status, math.sqrt(squares))
+
+
+def _no_shrink(_a: np.ndarray, _b: np.ndarray) -> float:
+    """For edges that run through their points."""
+    return 0.0
 
 
 def _with_party_walls(outline: shapely.Geometry, neighbours: list[shapely.Geometry]) -> shapely.Geometry:

@@ -63,10 +63,7 @@ def roof_levels(surface: RoofSurface, z: np.ndarray, density: float, outline_are
     density : points/m2.
     outline_area : m2.
     """
-    tree = surface.trees(parameters.max_roughness)
-    measured = (surface.count > 0) & ~tree
-    if not measured.any():
-        measured = surface.count > 0
+    measured = surface.count > 0
     nearest = ndimage.distance_transform_edt(~measured, return_distances=False, return_indices=True)
     height = surface.height[tuple(nearest)]
     covered = cv2.morphologyEx(measured.astype(np.uint8), cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8)) > 0

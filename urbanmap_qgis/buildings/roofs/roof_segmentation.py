@@ -83,7 +83,6 @@ class RoofSegmentation:
 
 def segment_roofs(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.Geometry, ground: float,
                   density: float, parameters: RoofParameters = DEFAULTS,
-                  multi_return: np.ndarray | None = None,
                   least_height: np.ndarray | None = None) -> RoofSegmentation:
     """Roofs of one building.
 
@@ -94,11 +93,10 @@ def segment_roofs(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.
 
     Parameters
     ----------
-    x, y, z : (n,) points of the building, m; may hold trees, walls, roof furniture and some ground.
+    x, y, z : (n,) points of the building, m; may hold walls, roof furniture and some ground.
     outline : the primary (not expanded) outline, polygon or multipolygon.
     ground : height of the ground at the building, m.
     density : points/m2 of the cloud on roofs.
-    multi_return : (n,) bool, point of a pulse with several returns, if known: separates trees from rugged roofs.
     least_height : (n,) height of each point above the ground from which it can be roof, m; `min_height` without it.
 
     Raises
@@ -106,11 +104,10 @@ def segment_roofs(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.
     InputError : arrays of different lengths, coordinates, ground or density not finite.
     """
     x, y, z = (np.asarray(a, dtype=float) for a in (x, y, z))
-    _check(x, y, z, ground, density, multi_return)
+    _check(x, y, z, ground, density)
     high = z >= ground + (parameters.min_height if least_height is None else least_height)
     usable = np.flatnonzero(high)
-    returns = None if multi_return is None else np.asarray(multi_return, dtype=bool)[usable]
-    surface = roof_surface(x[usable], y[usable], z[usable], outline, density, returns)
+    surface = roof_surface(x[usable], y[usable], z[usable], outline, density)
     if len(usable) < MIN_POINTS:
         return RoofSegmentation(np.zeros(len(z), np.int32), NO_ROOFS, NO_POINTS)
     if len(usable) < POINTS_TO_DIVIDE:
@@ -120,12 +117,9 @@ def segment_roofs(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.
     return _numbered(z, usable, surface, of_point, plan.labels, OK)
 
 
-def _check(x: np.ndarray, y: np.ndarray, z: np.ndarray, ground: float, density: float,
-           multi_return: np.ndarray | None) -> None:
+def _check(x: np.ndarray, y: np.ndarray, z: np.ndarray, ground: float, density: float) -> None:
     if not (x.shape == y.shape == z.shape and x.ndim == 1):
         raise InputError(say("The x, y and z of a building's points differ in number."))
-    if multi_return is not None and len(multi_return) != len(x):
-        raise InputError(say("The return numbers and the coordinates of a building's points differ in number."))
     if not (np.isfinite(x).all() and np.isfinite(y).all() and np.isfinite(z).all()):
         raise InputError(say("Some coordinates of a building's points are not numbers: remove them."))
     if not (np.isfinite(density) and density > 0 and np.isfinite(ground)):

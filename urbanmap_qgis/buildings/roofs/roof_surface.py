@@ -21,11 +21,6 @@ MIN_CELL = 0.4
 MAX_CELL = 2.0
 # The largest raster of a building; a larger building (or a stray point) gets larger cells.
 MAX_CELLS = 250_000
-# Roughness in m and share of multiple returns that are both exceeded in trees (measured on AHN3 in Delft: by
-# four in five cells of trees, by one in fifty of roofs).
-TREE_ROUGHNESS = 0.3
-TREE_MULTI_RETURN = 0.5
-
 NEIGHBOURHOOD = np.ones((3, 3), np.uint8)
 
 
@@ -42,8 +37,6 @@ class RoofSurface:
     inside : cell centre inside the outline.
     roughness : root mean square distance of the points from the best plane through any 3 x 3 window that holds
         the cell, m. Low on roofs up to their very edges, high in trees. NaN where no window holds 4 points.
-    multi_return : share of points of pulses with several returns in the 3 x 3 window around the cell; None if
-        the cloud has none.
     """
 
     grid: Grid
@@ -52,17 +45,6 @@ class RoofSurface:
     height: np.ndarray
     inside: np.ndarray
     roughness: np.ndarray
-    multi_return: np.ndarray | None
-
-    def trees(self, max_roughness: float) -> np.ndarray:
-        """Cells (rows, columns) bool that show a tree rather than a roof.
-
-        Where returns are known, a tree is rough and most of its pulses have several returns; else it is rougher
-        than `max_roughness` m.
-        """
-        if self.multi_return is None:
-            return self.roughness > max_roughness
-        return (self.roughness > TREE_ROUGHNESS) & (self.multi_return > TREE_MULTI_RETURN)
 
 
 def roof_cell_size(density: float, width: float, depth: float) -> float:
@@ -72,7 +54,7 @@ def roof_cell_size(density: float, width: float, depth: float) -> float:
 
 
 def roof_surface(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.Geometry,
-                 density: float, multi_return: np.ndarray | None = None) -> RoofSurface:
+                 density: float) -> RoofSurface:
     """Raster of the points of one building.
 
     Parameters
@@ -80,8 +62,6 @@ def roof_surface(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.G
     x, y, z : (n,) points without the ones near the ground, m.
     outline : polygon or multipolygon.
     density : points/m2, positive.
-    multi_return : (n,) bool, point of a pulse with several returns; None if unknown. All False counts as unknown,
-        as files that lost their returns say 1 of 1 everywhere.
     """
     left, bottom, right, top = outline.bounds
     left, right = x.min(initial=left), x.max(initial=right)
@@ -95,11 +75,8 @@ def roof_surface(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.G
     shapely.prepare(outline)
     inside = shapely.contains_xy(outline, *np.meshgrid(centre_x, centre_y))
     roughness = _roughness(x - left, y - bottom, z - z.mean() if len(z) else z, cell, grid)
-    share = None
-    if multi_return is not None and multi_return.any():
-        share = _window_sum(cell, multi_return, grid) / np.maximum(_window_sum(cell, None, grid), 1)
     return RoofSurface(grid, cell, count.reshape(grid.shape), _median(cell, z, count).reshape(grid.shape),
-                       inside, roughness, share)
+                       inside, roughness)
 
 
 def _window_sum(cell: np.ndarray, weights: np.ndarray | None, grid: Grid) -> np.ndarray:

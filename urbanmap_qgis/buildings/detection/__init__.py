@@ -1,0 +1,1 @@
+"""Buildings found in laser points alone, without outlines."""
