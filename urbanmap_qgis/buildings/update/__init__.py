@@ -1,0 +1,1 @@
+"""An old building model against a new cloud: what changed."""
