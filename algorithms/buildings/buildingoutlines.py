@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from ...urbanmap_qgis.settings.buildings import DetectionSettings
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.declaring.parameters import tr
 from ..framework.layers.crs import crs_from
 from ..framework.layers.layers import table_of_box
-from ..framework.running.workers import workers
 
 
 class BuildingOutlines(UrbanMapAlgorithm):
@@ -37,8 +36,7 @@ class BuildingOutlines(UrbanMapAlgorithm):
                               "(m2), height above the ground and ground (m), points, density (points a m2), sigma of "
                               "the edges (m), confidence (probability of a roof, mean over the points), status (ok, "
                               "low, movable, deck, no ground) and reason.")
-        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: counts, areas, and what may be no building.",
-                             HTML_FILTER, optional=True)
+        self.add_report("HTML report: counts, areas, and what may be no building.")
         self.add_number_output("BUILDINGS", "Buildings", "Outlines with status ok.")
         self.add_number_output("OTHERS", "Others", "Outlines of what may be no building.")
         self.add_number_output("AREA", "Area", "Area of the buildings.", "m2")
@@ -54,18 +52,16 @@ class BuildingOutlines(UrbanMapAlgorithm):
         box = table_of_box(self.label_of("POINTS"), crs_from(cloud.crs_wkt), cloud.minimum, cloud.maximum)
         ground = self.ground_heights(parameters, "GROUND", context, "POINTS", box, progress)
         settings = self.settings(DetectionSettings, parameters, context)
-        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+        with self.workers(parameters, context) as executor:
             found = detect_buildings(cloud, settings, ground, executor, progress.part(0.0, 0.95))
         columns = detected_columns(found)
         good = [building for building in found.buildings if building.status == "ok"]
         progress.message(tr("{0} buildings; {1} outlines of what may be no building; {2} groups of points are smaller "
                             "than {3} m2, {4} look like crowns.").format(
             len(good), len(found.buildings) - len(good), found.too_small, settings.min_area, found.crowns))
-        path = self.output_path(parameters, "OUTPUT_REPORT", context)
-        if path:
-            write_detection_report(path, found)
-        layer = self.write_layer(parameters, "OUTPUT", context, None, columns, box.crs,
-                                 [building.outline for building in found.buildings], "MultiPolygon",
-                                 "detected_outlines", progress.part(0.95, 1.0))
-        return {"OUTPUT": layer, **({"OUTPUT_REPORT": str(path)} if path else {}), "BUILDINGS": len(good),
-                "OTHERS": len(found.buildings) - len(good), "AREA": float(sum(building.area for building in good))}
+        results = self.write_file(parameters, "OUTPUT_REPORT", context, write_detection_report, found)
+        results |= self.write_layer(parameters, "OUTPUT", context, None, columns, box.crs,
+                                    [building.outline for building in found.buildings], "MultiPolygon",
+                                    "detected_outlines", progress.part(0.95, 1.0))
+        return {**results, "BUILDINGS": len(good), "OTHERS": len(found.buildings) - len(good),
+                "AREA": float(sum(building.area for building in good))}

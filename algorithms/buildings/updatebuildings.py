@@ -5,14 +5,12 @@ from __future__ import annotations
 from ...urbanmap_qgis.errors import InputError
 from ...urbanmap_qgis.settings.buildings import UpdateSettings
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import CITY_MODEL_FILTER, CITYJSON_FILTER, HTML_FILTER, tr
+from ..framework.declaring.parameters import CITY_MODEL_FILTER, CITYJSON_FILTER, tr
 from ..framework.layers.building_layers import read_buildings
 from ..framework.layers.crs import crs_from
 from ..framework.layers.layers import layer_of, make_fields, table_of_layer
 from ..framework.layers.outlines import BUILDING_ID, column, numbers, open_points
 from ..framework.running.chain import GivenParameters
-from ..framework.running.workers import workers
-from .city_outputs import day_of
 
 FILES = {"OUTPUT_CITYJSON": "city.json", "OUTPUT_CITYGML": "citygml"}
 """Outputs of city models, and the endings of their scratch places."""
@@ -55,14 +53,13 @@ class UpdateBuildings(UrbanMapAlgorithm):
                              "all their values.", CITYJSON_FILTER, optional=True)
         self.add_folder_output("OUTPUT_CITYGML", "CityGML", "Folder with the updated CityGML: members that stayed the "
                                "same keep every byte, changed ones their id and attributes.", optional=True)
-        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: counts, offset of the epochs, changes.",
-                             HTML_FILTER, optional=True)
+        self.add_report("HTML report: counts, offset of the epochs, changes.")
         for name, label in (("NEW", "New"), ("GONE", "Gone"), ("CHANGED", "Changed"), ("SAME", "Same"),
                             ("UNSEEN", "Not seen")):
             self.add_number_output(name, label, "Number of buildings.")
 
     def check(self, parameters, context):
-        day_of(self, parameters, "DATE", context)
+        self.day_of(parameters, "DATE", context)
         if bool(parameters.get("BUILDINGS")) == bool(parameters.get("CITY_MODEL")):
             raise InputError(tr("Give either {0} or {1}.").format(self.label_of("BUILDINGS"),
                                                                   self.label_of("CITY_MODEL")))
@@ -78,7 +75,7 @@ class UpdateBuildings(UrbanMapAlgorithm):
         sigma = numbers(table, "rmse_z95")
         old = [old_building(geometry, float("nan") if sigma is None else float(sigma[row]))
                for row, geometry in enumerate(table.geometries)]
-        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+        with self.workers(parameters, context) as executor:
             found = city_changes(old, cloud, self.settings(UpdateSettings, parameters, context), ground, executor,
                                  progress.part(0.0, 0.5))
         changes = [*found.changes, *found.additions]
@@ -141,7 +138,7 @@ class UpdateBuildings(UrbanMapAlgorithm):
 
         for sentence in failed:
             progress.warn(sentence)
-        count, date = len(table), day_of(self, parameters, "DATE", context)
+        count, date = len(table), self.day_of(parameters, "DATE", context)
         names = column(table, BUILDING_ID) or list(range(1, count + 1))
         names = [*names, *new_ids(names, len(found.added))]
         carried = {name: [*values, *[None] * len(found.added)] for name, values in table.columns.items()
@@ -156,8 +153,8 @@ class UpdateBuildings(UrbanMapAlgorithm):
         kind = "int" if all(isinstance(name, int) for name in names) else "text"
         fields = make_fields((BUILDING_ID, kind), *[name for name in ours if name != BUILDING_ID], base=table.fields)
         columns = {**carried, **ours}
-        results = {"OUTPUT": self.write_layer(parameters, "OUTPUT", context, fields, columns, table.crs, geometries,
-                                              "MultiPolygonZ", "updated_buildings", progress.part(0.9, 1.0))}
+        results = self.write_layer(parameters, "OUTPUT", context, fields, columns, table.crs, geometries,
+                                   "MultiPolygonZ", "updated_buildings", progress.part(0.9, 1.0))
         results.update(self.write_file(parameters, "OUTPUT_REPORT", context, write_update_report, names, changes, found,
                                        failed))
         gone = [row for row, change in enumerate(changes) if change.change == "gone"]

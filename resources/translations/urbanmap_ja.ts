@@ -817,7 +817,7 @@
     </message>
     <message>
         <source>Profile: paint must stand out from the road on both sides, and what is no paint is left out. Paper: the plain adaptive Gaussian threshold of the grey image after a level adjustment, as in the paper; only block size and contrast matter then. Trained: the same as profile. (profile, paper, trained)</source>
-        <translation>断面：塗装は道路より両側で際立たねばならず、塗装でないものは除かれる。論文：論文のとおり、レベル補正後の濃淡画像への単純な適応ガウス閾値処理で、ブロックの大きさとコントラストだけが効く。学習済み：断面と同じ。（profile、paper、trained）</translation>
+        <translation>断面：標示は道路より両側で際立たねばならず、標示でないものは除かれる。論文：論文のとおり、レベル補正後の濃淡画像への単純な適応ガウス閾値処理で、ブロックの大きさとコントラストだけが効く。学習済み：断面と同じ。（profile、paper、trained）</translation>
     </message>
     <message>
         <source>Block size</source>
@@ -869,7 +869,7 @@
     </message>
     <message>
         <source>What is less likely paint than this, 0 to 1, is left out (parts of long pieces by themselves); at the default 60 to 85 % of the found area were paint on eight sunlit orthophotos. 0 keeps all. Where roads are given, paint is more likely.</source>
-        <translation>塗装である確からしさ（0〜1）がこれより低いもの（長いものは部分ごと）を除く。既定値では、日照下のオルソ画像8枚で抽出面積の60〜85 %が塗装であった。0はすべてを残す。道路を与えると塗装の確からしさは高くなる。</translation>
+        <translation>標示である確からしさ（0〜1）がこれより低いもの（長いものは部分ごと）を除く。既定値では、日照下のオルソ画像8枚で抽出面積の60〜85 %が標示であった。0はすべてを残す。道路を与えると標示の確からしさは高くなる。</translation>
     </message>
     <message>
         <source>Width of filled paint</source>
@@ -7330,7 +7330,7 @@ Ground is taken by class 2 where at least 1 % of the points have it, otherwise f
 After a level adjustment, pixels are kept that are brighter by the contrast than the Gaussian mean of the block round them (in shade in proportion less), and stand out on both sides. A model trained on made-up streets then tells how likely each piece is paint, by its shape and contrast, the ground round it and its company: that is its confidence.
 Any orthophoto of 0.5 m or finer will do, in grey or in red, green and blue, 8 or 16 bit, of any size. Give roads where you have them: bright lines on roofs, plots and paving are then left out. Give building outlines, or the mask of what buildings hide, where they lean in the image.</source>
         <translation>オルソ画像から白・黄・青の路面標示を抽出する。結果はオルソ画像の画素上のマスクと、画素より細かい輪郭のポリゴンである。
-レベル補正の後、周囲のブロックのガウス平均よりコントラスト以上に明るく（日陰では比例して小さく）、両側で際立つ画素を残す。次に、架空の街路で学習したモデルが、形とコントラスト、周囲の地面、近くの標示から、それぞれが塗装である確からしさを求める。これが信頼度である。
+レベル補正の後、周囲のブロックのガウス平均よりコントラスト以上に明るく（日陰では比例して小さく）、両側で際立つ画素を残す。次に、架空の街路で学習したモデルが、形とコントラスト、周囲の地面、近くの標示から、それぞれが標示である確からしさを求める。これが信頼度である。
 0.5 m以下の画素のオルソ画像なら、濃淡でもRGBでも、8ビットでも16ビットでも、どんな大きさでもよい。道路があれば与える。屋根・敷地・舗装の明るい線が除かれる。画像で建物が傾いて写るときは、建物の外形か、建物が隠す範囲のマスクを与える。</translation>
     </message>
     <message>
@@ -8267,7 +8267,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Markings cannot be told in this image: by its confidence only {recall:.0%} of the paint was found. Do not use the result. Check the pixel size, light, noise and focus; or give roads.</source>
-        <translation>この画像では標示を判別できない。信頼度によると塗装の{recall:.0%}しか抽出できていない。結果を使わないこと。画素の大きさ、光、ノイズ、ピントを確かめるか、道路を与える。</translation>
+        <translation>この画像では標示を判別できない。信頼度によると標示の{recall:.0%}しか抽出できていない。結果を使わないこと。画素の大きさ、光、ノイズ、ピントを確かめるか、道路を与える。</translation>
     </message>
     <message>
         <source>Markings cannot be told in this image: {full:.0%} of it are over-exposed. Do not use the result.</source>
@@ -8287,11 +8287,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>By its confidence {precision:.0%} of the found area is paint: look at what is doubtful, raise the minimum confidence, or give roads.</source>
-        <translation>信頼度によると、抽出面積の{precision:.0%}が塗装である。疑わしいものを確認するか、最小信頼度を上げるか、道路を与える。</translation>
+        <translation>信頼度によると、抽出面積の{precision:.0%}が標示である。疑わしいものを確認するか、最小信頼度を上げるか、道路を与える。</translation>
     </message>
     <message>
         <source>By its confidence {recall:.0%} of the paint was found: look for paint without an outline, lower the minimum confidence, or give roads.</source>
-        <translation>信頼度によると、塗装の{recall:.0%}が抽出された。輪郭のない塗装を探すか、最小信頼度を下げるか、道路を与える。</translation>
+        <translation>信頼度によると、標示の{recall:.0%}が抽出された。輪郭のない標示を探すか、最小信頼度を下げるか、道路を与える。</translation>
     </message>
     <message>
         <source>Lines are {width:.2f} m wide (median): lane lines have 0.1 to 0.3 m. The pixel size may be wrong, or the image out of focus.</source>
@@ -17679,11 +17679,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Share of the found area that is paint, by its confidence</source>
-        <translation>抽出面積のうち塗装の割合（信頼度による）</translation>
+        <translation>抽出面積のうち標示の割合（信頼度による）</translation>
     </message>
     <message>
         <source>Share of the paint that was found, by its confidence</source>
-        <translation>塗装のうち抽出された割合（信頼度による）</translation>
+        <translation>標示のうち抽出された割合（信頼度による）</translation>
     </message>
     <message>
         <source>Coverage</source>

@@ -108,7 +108,7 @@ def cloud(make_cloud, points, tmp_path):
 
 @pytest.mark.parametrize("algorithm", ["segmentbuildings", "buildingsfromals"])
 @pytest.mark.parametrize(("epsg", "words"), [
-    (6668, "lie outside of where"), (2263, "no transformation"), (6676, "do not overlap"), (None, "is missing")])
+    (6668, "are no degrees"), (2263, "no transformation"), (6676, "do not overlap"), (None, "is missing")])
 def test_outlines_in_an_unsuitable_crs(refuse, save_outlines, tmp_path, algorithm, epsg, words):
     outlines = save_outlines(tmp_path / "o.gpkg", [HOUSE], epsg=epsg)
     assert words in refuse(algorithm, FOOTPRINTS=str(outlines))
