@@ -51,14 +51,11 @@ class AdjustAls(UrbanMapAlgorithm):
                                "m")
         self.add_number_output("WRONG", "Contradicting points", "Control points that contradict the others.")
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.aerial.orientation.cloud_control import control_cloud, write_shifted
         from ...urbanmap_qgis.aerial.orientation.cloud_points import measured_heights, read_cloud_points
-        from ...urbanmap_qgis.io.points.pointcloud import open_cloud
 
-        progress = self.progress(feedback)
-        cloud = open_cloud(self.point_files(parameters, "POINTS", context))
-        self.require_projected("POINTS", cloud.crs_wkt)
+        cloud = self.projected_cloud(parameters, context)
         points = measured_heights(read_cloud_points(self.input_path(parameters, "CONTROL", context)), cloud,
                                   progress.part(0.0, 0.4))
         adjusted = control_cloud(points, self.parameterAsDouble(parameters, "CONTROL_SIGMA", context),

@@ -49,11 +49,10 @@ class AdjustFrames(UrbanMapAlgorithm):
         self.add_number_output("RMS_CHECK", "RMS of check points", "RMS error of the check points in plan, after.", "m")
         self.add_number_output("WRONG", "Contradicting points", "Control points that contradict the others.")
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.aerial.orientation.image_points import read_image_points
         from ...urbanmap_qgis.aerial.orientation.stage import control_frames, write_exterior
 
-        progress = self.progress(feedback)
         camera, poses = read_camera_and_poses(self, parameters, context)
         points = read_image_points(self.input_path(parameters, "CONTROL", context))
         result = control_frames(camera, poses, points, self.settings(BundleSettings, parameters, context),

@@ -41,7 +41,7 @@ class FilterVehicles(FrameShiftsOutput, UrbanMapAlgorithm):
         self.add_number_output("SHARE_SEEN", "Share with data", "Share of the pixels that hold an image, 0 to 1.")
         self.add_shifts_output()
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.aerial.orthophotos.mosaic import PixelSelection
         from ...urbanmap_qgis.aerial.orthophotos.vehicle_filter import filter_vehicles
 
@@ -51,7 +51,7 @@ class FilterVehicles(FrameShiftsOutput, UrbanMapAlgorithm):
         choice = PixelSelection.of(self.parameterAsString(parameters, "METHOD", context),
                                    self.parameterAsBool(parameters, "EVEN_EXPOSURE", context))
         output = self.output_layer_path(parameters, "OUTPUT", context)
-        progress, shifts, crs = self.progress(feedback), [], crs_from(layers[0].crs())
+        shifts, crs = [], crs_from(layers[0].crs())
         metres = 1.0 if crs.isGeographic() else metres_per_unit(crs)
         with self.workers(parameters, context) as executor:
             result = filter_vehicles([layer.source().split("|")[0] for layer in layers], output, choice,

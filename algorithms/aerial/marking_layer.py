@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from ..framework.declaring.parameters import tr
-from ..framework.layers.layers import make_fields
 
 
 def write_markings(algorithm, parameters, context, found, crs, progress):
@@ -20,10 +19,9 @@ def write_markings(algorithm, parameters, context, found, crs, progress):
         if without:
             progress.warn(tr("{0} has no height at {1} of {2} markings: they lie outside of it or in its gaps, and "
                              "have no height there.").format(algorithm.label_of("GROUND"), without, len(found)))
-    fields = make_fields("area", "length", "width", "contrast", "colour", "confidence")
     columns = {name: getattr(found, name)
                for name in ("area", "length", "width", "contrast", "colour", "confidence")}
-    return algorithm.write_layer(parameters, "OUTPUT_POLYGONS", context, fields, columns, crs, geometries, kind,
+    return algorithm.write_layer(parameters, "OUTPUT_POLYGONS", context, None, columns, crs, geometries, kind,
                             style="road_markings", progress=progress.part(0.9, 1.0))
 
 
@@ -36,11 +34,10 @@ def write_doubtful(algorithm, parameters, context, search, settings, crs):
     from ...urbanmap_qgis.aerial.markings.marking_polygons import most_in_doubt
 
     names = ("confidence", "length", "width", "colour")
-    fields = make_fields("paint", *((name, "text" if name == "colour" else "real") for name in names))
     with tempfile.TemporaryDirectory(prefix="urbanmap-") as folder:
         found = search(settings.doubtful, f"{folder}/doubtful.tif").polygons
         order = most_in_doubt(found.confidence, found.area)
         columns = {"paint": [None] * len(order), **{name: getattr(found, name)[order] for name in names}}
-        return algorithm.write_layer(parameters, "OUTPUT_DOUBTFUL", context, fields, columns, crs,
+        return algorithm.write_layer(parameters, "OUTPUT_DOUBTFUL", context, None, columns, crs,
                                      [found.polygons[int(number)] for number in order], "Polygon",
                                      style="doubtful_markings")

@@ -60,11 +60,10 @@ class OcclusionMap(UrbanMapAlgorithm):
         self.add_number_output("FOOTPRINTS_FLAT", "Outlines without a building", "Outlines near the frame in which the "
                                "surface shows nothing that stands.")
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.aerial.frames.frame_images import FrameImage, find_frames
         from ...urbanmap_qgis.aerial.frames.occlusion import PAPER_OCCLUSION, occlusion_map
 
-        progress = self.progress(feedback)
         camera, poses = read_camera_and_poses(self, parameters, context)
         frame = find_frames([self.input_path(parameters, "FRAME", context)], poses)[0]
         with FrameImage(frame.path, camera):

@@ -78,13 +78,12 @@ class OrthorectifyFrames(FrameShiftsOutput, UrbanMapAlgorithm):
         self.add_number_output("FRAMES_USED", "Frames used", "Frames that gave pixels.")
         self.add_shifts_output()
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.aerial.frames.frame_images import find_frames
         from ...urbanmap_qgis.aerial.orthophotos.mosaic import MosaicFiles
         from ...urbanmap_qgis.aerial.orthophotos.orthorectification import ElevationInputs, orthorectify
         from ...urbanmap_qgis.io.raster import RasterSampler
 
-        progress = self.progress(feedback)
         camera, poses = read_camera_and_poses(self, parameters, context)
         frames = find_frames(self.parameterAsFileList(parameters, "FRAMES", context), poses)
         ground = self.raster_path(parameters, "GROUND", context)

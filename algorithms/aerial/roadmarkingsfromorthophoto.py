@@ -93,10 +93,9 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
             if parameters.get(name) and self.raster_path(parameters, name, context):
                 self.same_crs("INPUT", crs, name, self.parameterAsRasterLayer(parameters, name, context).crs())
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.aerial.markings.marking_files import markings_from_orthophoto
 
-        progress = self.progress(feedback)
         crs = self.parameterAsRasterLayer(parameters, "INPUT", context).crs()
         settings = self._settings(parameters, context)
         places = self._places(parameters, context, progress.part(0.0, 0.02))

@@ -45,11 +45,10 @@ class SurfaceFromAls(UrbanMapAlgorithm):
         self.add_number_output("TRIANGLES", "Triangles", "Triangles of the surface.")
         self.add_number_output("TRIANGLES_LEFT_OUT", "Triangles left out", "Those longer than the longest edge.")
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.io.points.pointcloud import open_cloud
         from ...urbanmap_qgis.terrain.surface_files import surfaces_from_files
 
-        progress = self.progress(feedback)
         paths = self.point_files(parameters, "POINTS", context)
         self.require_projected("POINTS", open_cloud(paths).crs_wkt)
         settings = self.settings(SurfaceSettings, parameters, context,

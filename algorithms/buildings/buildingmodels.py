@@ -8,11 +8,11 @@ from itertools import chain
 
 from ...urbanmap_qgis.settings.buildings import LEVELS, PLANES
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import CITYJSON_FILTER, OBJ_FILTER, tr
+from ..framework.declaring.parameters import CITYJSON_FILTER, tr
 from ..framework.layers.crs import stated_wkt
 from ..framework.layers.layers import make_fields
 from ..framework.layers.outlines import building_names, building_numbers, column, footprints_of, numbers, open_points
-from ..framework.layers.reprojection import with_heights_of_points
+from ..framework.layers.reprojection import ground_heights, with_heights_of_points
 from .mesh25d import Mesh25D, meshes_beside
 
 
@@ -59,8 +59,7 @@ class BuildingModels(UrbanMapAlgorithm):
         self.add_file_output("OUTPUT_CITYJSON", "CityJSON", "CityJSON 2.0 file with outlines and solids at the levels "
                              "of detail 0, 1.2, 1.3 and 2.2, surface types, the fields of the outlines and the figures "
                              "of each building.", CITYJSON_FILTER, optional=True)
-        self.add_file_output("OUTPUT_MESH", "OBJ mesh", "Wavefront OBJ file, a group for each building.", OBJ_FILTER,
-                             optional=True)
+        self.add_from(Mesh25D, "OUTPUT_MESH")
         self.add_report("HTML report: counts, quality, the worst buildings with reasons.")
         self.add_from(Mesh25D, optional=True, by_default=False, label="2.5D meshes", OUTPUT_MESHES="OUTPUT")
         self.add_number_output("BUILDINGS", "Buildings", "Number of outlines.")
@@ -152,7 +151,7 @@ class BuildingModels(UrbanMapAlgorithm):
         from ...urbanmap_qgis.buildings.base_height import outline_ground
 
         base = np.full(len(footprints), np.nan)
-        ground = self.ground_heights(parameters, "GROUND", context, "FOOTPRINTS", table, progress)
+        ground = ground_heights(self, parameters, context, table, progress)
         if ground is not None:
             base = outline_ground(footprints.polygons, *ground)
         for name in (self.parameterAsString(parameters, "BASE_FIELD", context), "ground"):

@@ -7,6 +7,7 @@ from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.layers.crs import crs_from
 from ..framework.layers.layers import table_of_box
+from ..framework.layers.reprojection import ground_heights
 
 
 class BuildingOutlines(UrbanMapAlgorithm):
@@ -41,16 +42,13 @@ class BuildingOutlines(UrbanMapAlgorithm):
         self.add_number_output("OTHERS", "Others", "Outlines of what may be no building.")
         self.add_number_output("AREA", "Area", "Area of the buildings.", "m2")
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.buildings.detection.detection_report import detected_columns, write_detection_report
         from ...urbanmap_qgis.buildings.detection.detection_stage import detect_buildings
-        from ...urbanmap_qgis.io.points.pointcloud import open_cloud
 
-        progress = self.progress(feedback)
-        cloud = open_cloud(self.point_files(parameters, "POINTS", context))
-        self.require_projected("POINTS", cloud.crs_wkt)
+        cloud = self.projected_cloud(parameters, context)
         box = table_of_box(self.label_of("POINTS"), crs_from(cloud.crs_wkt), cloud.minimum, cloud.maximum)
-        ground = self.ground_heights(parameters, "GROUND", context, "POINTS", box, progress)
+        ground = ground_heights(self, parameters, context, box, progress, "POINTS")
         settings = self.settings(DetectionSettings, parameters, context)
         with self.workers(parameters, context) as executor:
             found = detect_buildings(cloud, settings, ground, executor, progress.part(0.0, 0.95))

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from qgis.core import QgsVectorFileWriter
 
-from ...urbanmap_qgis.errors import InputError, OutputError
+from ...urbanmap_qgis.errors import OutputError
 from ..framework.declaring.destinations import sink_file
 from ..framework.declaring.parameters import tr
 from ..framework.layers.crs import stated_wkt
@@ -44,7 +44,7 @@ def write_files(algorithm, parameters, context, names, model, progress):
     from ...urbanmap_qgis.citymodel.city_files import write_city_files
 
     paths = {name: algorithm.output_path(parameters, name, context) for name in names}
-    write_city_files(model, *paths.values(), _geoid(algorithm, parameters, context),
+    write_city_files(model, *paths.values(), algorithm.geoid(parameters, context),
                      _delivery(algorithm, parameters, context), progress)
     return {name: str(path) for name, path in paths.items() if path}
 
@@ -82,16 +82,3 @@ def _delivery(algorithm, parameters, context):
                            not parameters.get("CITY_MODEL"), int(level) if level.isdigit() else 0,
                            algorithm.day_of(parameters, "DATA_DATE", context) if "DATA_DATE" in parameters else "",
                            algorithm.input_path(parameters, "SCHEMAS", context))
-
-
-def _geoid(algorithm, parameters, context):
-    """The geoid of GEOID or GEOID_HEIGHT, None where neither is given."""
-    from ...urbanmap_qgis.io.conversion.geoid import Geoid, read_geoid
-
-    path = algorithm.input_path(parameters, "GEOID", context)
-    if parameters.get("GEOID_HEIGHT") is None:
-        return read_geoid(path) if path else None
-    if path:
-        raise InputError(tr("{0} and {1} are both given: give one of them.").format(
-            algorithm.label_of("GEOID"), algorithm.label_of("GEOID_HEIGHT")))
-    return Geoid.constant(algorithm.parameterAsDouble(parameters, "GEOID_HEIGHT", context))

@@ -59,11 +59,10 @@ class ConvertHeights(UrbanMapAlgorithm):
         if bool(parameters.get("GRID")) == (parameters.get("CHANGE") is not None):
             raise InputError(tr("Give a grid, or one value in its place."))
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.io.conversion.geoid import Geoid, read_geoid
         from ...urbanmap_qgis.io.reference.height_systems import height_system
 
-        progress = self.progress(feedback)
         path = self.input_path(parameters, "GRID", context)
         grid = read_geoid(path) if path else Geoid.constant(self.parameterAsDouble(parameters, "CHANGE", context))
         how = {"stated": height_system(self.parameterAsString(parameters, "SOURCE_HEIGHTS", context)),

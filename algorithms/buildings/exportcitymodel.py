@@ -91,11 +91,10 @@ class ExportCityModel(UrbanMapAlgorithm):
             if trouble:
                 raise OutputError(trouble)
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.buildings.city_export import export_buildings
         from ...urbanmap_qgis.citymodel.cityjson.textured_faces import read_textured_faces
 
-        progress = self.progress(feedback)
         if parameters.get("CITY_MODEL"):
             return self._converted(parameters, context, progress)
         table = read_buildings(self, parameters, "BUILDINGS", context, progress)

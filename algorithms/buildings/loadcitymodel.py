@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from contextlib import ExitStack
-from pathlib import Path
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
@@ -83,7 +82,7 @@ class LoadCityModel(UrbanMapAlgorithm):
         self.add_text_output("HEIGHTS", "Height system", "As the model says it: unknown, JGD2011, JGD2024, ...")
 
     def check(self, parameters, context):
-        if not self._paths(parameters, context):
+        if not self.input_paths(parameters, context):
             raise InputError(tr("No file was given: choose a city model (.gml, .json, .jsonl, .zip) or a folder."))
         for name in ("CRS", "SOURCE_CRS"):
             if parameters.get(name) and not self.parameterAsCrs(parameters, name, context).isValid():
@@ -92,7 +91,7 @@ class LoadCityModel(UrbanMapAlgorithm):
         if parameters.get("CRS"):
             self.require_projected("CRS", self.parameterAsCrs(parameters, "CRS", context))
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.citymodel.city_sources import open_city_model, placed_model
         from ...urbanmap_qgis.citymodel.reading_notes import ReadingNotes
         from ...urbanmap_qgis.citymodel.tables.building_table import TableNotes, building_rows
@@ -100,11 +99,10 @@ class LoadCityModel(UrbanMapAlgorithm):
         from ...urbanmap_qgis.citymodel.tables.street_table import StreetTable
         from ...urbanmap_qgis.citymodel.tables.table_store import TableStore
 
-        progress = self.progress(feedback)
         reading, counts, sentences = ReadingNotes(), TableNotes(), []
         wanted = self.parameterAsCrs(parameters, "CRS", context)
         with ExitStack() as stack:
-            model = open_city_model(self._paths(parameters, context), stack, reading,
+            model = open_city_model(self.input_paths(parameters, context), stack, reading,
                                     given_source(self, parameters, context), progress.part(0.0, 0.6),
                                     _modules(parameters))
             wkt, buildings, places = placed_model(model, wkt_of(wanted) or None, sentences)
@@ -161,11 +159,6 @@ class LoadCityModel(UrbanMapAlgorithm):
             store.outlines, "MultiPolygon",
             "loaded_buildings", progress.part(0.9, 1.0))
         return results
-
-    def _paths(self, parameters, context) -> list[Path]:
-        """The file and the folder, as far as they were given."""
-        paths = (self.input_path(parameters, name, context) for name in ("INPUT", "INPUT_FOLDER"))
-        return [path for path in paths if path is not None]
 
 
 def _modules(parameters) -> frozenset[str]:

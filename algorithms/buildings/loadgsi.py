@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from qgis.core import QgsCoordinateReferenceSystem
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.layers.crs import wkt_of
-from ..framework.layers.layers import make_fields
 
 # The data's own "fid" cannot keep its name: that is the key of every GeoPackage table.
 FIELDS = {"gml_id": "gml_id", "gsi_fid": "fid", "type": "type", "name": "name", "lfSpanFr": "lfSpanFr",
@@ -70,18 +67,18 @@ class LoadGsi(UrbanMapAlgorithm):
         self.add_text_output("HEIGHTS", "Height system", "JGD2000, JGD2011 or JGD2024, as the files say.")
 
     def check(self, parameters, context):
-        if not self._paths(parameters, context):
+        if not self.input_paths(parameters, context):
             raise InputError(tr("No file was given: choose building outlines or elevation models of the GSI (.xml, "
                                 ".zip) or a folder."))
         if parameters.get("CRS") and not self.parameterAsCrs(parameters, "CRS", context).isValid():
             raise InputError(tr("{0}: {1} is not known; choose another.").format(
                 self.label_of("CRS"), parameters["CRS"]))
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.io.official.gsi_dem import DEMS
         from ...urbanmap_qgis.io.official.gsi_sources import BUILDINGS, may_hold
 
-        progress, paths, results = self.progress(feedback), self._paths(parameters, context), {}
+        paths, results = self.input_paths(parameters, context), {}
         kinds = {"OUTPUT_BUILDINGS": (BUILDINGS, self._load_buildings), "OUTPUT_GROUND": (DEMS, self._load_ground)}
         wanted = [name for name in kinds if parameters.get(name)]
         if len(wanted) > 1:
@@ -101,10 +98,9 @@ class LoadGsi(UrbanMapAlgorithm):
         if not crs.isValid():
             crs = QgsCoordinateReferenceSystem(":".join(buildings.crs.to_authority()))
         progress.message(tr("{0} buildings, {1}").format(len(buildings), crs.userFriendlyIdentifier()))
-        columns = {field: buildings.attributes[name] for field, name in FIELDS.items()}
-        columns["building_id"] = list(range(1, len(buildings) + 1))
-        fields = make_fields("building_id", *((field, "text") for field in FIELDS))
-        place = self.write_layer(parameters, "OUTPUT_BUILDINGS", context, fields, columns, crs, buildings.geometries,
+        columns = {"building_id": list(range(1, len(buildings) + 1)),
+                   **{field: buildings.attributes[name] for field, name in FIELDS.items()}}
+        place = self.write_layer(parameters, "OUTPUT_BUILDINGS", context, None, columns, crs, buildings.geometries,
                                  "Polygon", "gsi_buildings", progress.part(0.8, 1.0))
         return {**place, "BUILDINGS": len(buildings), "CRS_NAME": crs.authid() or crs.description()}
 
@@ -130,8 +126,3 @@ class LoadGsi(UrbanMapAlgorithm):
             100 * result.empty))
         return {"OUTPUT_GROUND": str(place), "MESHES": len(meshes.meshes), "EMPTY": result.empty,
                 "HEIGHTS": result.system}
-
-    def _paths(self, parameters, context) -> list[Path]:
-        """The file and the folder, as far as they were given."""
-        paths = (self.input_path(parameters, name, context) for name in ("INPUT", "INPUT_FOLDER"))
-        return [path for path in paths if path is not None]

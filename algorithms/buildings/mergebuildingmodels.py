@@ -67,7 +67,7 @@ class MergeBuildingModels(UrbanMapAlgorithm):
         if sum(given) != 1:
             raise InputError(tr("Give the building models either as a layer or as a CityJSON file."))
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.buildings.merging.merge_stage import (
             MERGED,
             NOT_MERGED,
@@ -76,7 +76,6 @@ class MergeBuildingModels(UrbanMapAlgorithm):
             merged_columns,
         )
 
-        progress = self.progress(feedback)
         walls_table = self.read_vector(parameters, "WALLS", context, progress)
         self.require_projected("WALLS", walls_table.crs)
         walls = self._walls(walls_table, progress)

@@ -11,7 +11,7 @@ from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import OBJ_FILTER, tr
 from ..framework.layers.layers import make_fields
 from ..framework.layers.outlines import building_names, footprints_of, numbers, open_points
-from ..framework.layers.reprojection import with_heights_of_points
+from ..framework.layers.reprojection import ground_heights, with_heights_of_points
 
 PLY_FILTER = "PLY mesh (*.ply)"
 
@@ -57,20 +57,19 @@ class Mesh25D(UrbanMapAlgorithm):
         self.add_number_output("RMSE", "RMSE", "Of all points from their meshes.", "m")
         self.add_number_output("TRIANGLES", "Triangles", "Number of all triangles.")
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         import numpy as np
 
         from ...urbanmap_qgis.buildings.base_height import outline_ground
         from ...urbanmap_qgis.buildings.mesh25d.mesh_stage import COARSE, mesh_buildings, mesh_columns, total_fit
 
-        progress = self.progress(feedback)
         table = self.read_polygons(parameters, "FOOTPRINTS", context, progress)
         footprints = footprints_of(table, progress)
         cloud = open_points(self, parameters, context, table, progress)
         table = with_heights_of_points(table, cloud, progress)
         base = numbers(table, "ground")
         base = np.full(len(footprints), np.nan) if base is None else base
-        ground = self.ground_heights(parameters, "GROUND", context, "FOOTPRINTS", table, progress)
+        ground = ground_heights(self, parameters, context, table, progress)
         if ground is not None:
             given = outline_ground(footprints.polygons, *ground)
             base = np.where(np.isfinite(given), given, base)

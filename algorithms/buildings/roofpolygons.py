@@ -39,13 +39,12 @@ class RoofPolygons(UrbanMapAlgorithm):
         self.add_number_output("ROOFS", "Roofs", "Number of polygons.")
         self.add_number_output("WITHOUT_ROOFS", "Buildings without a roof", "Outlines that got no polygon.")
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         import numpy as np
         import shapely
 
         from ...urbanmap_qgis.buildings.polygon_stage import cloud_roof_polygons
 
-        progress = self.progress(feedback)
         table = self.read_polygons(parameters, "FOOTPRINTS", context, progress)
         footprints = footprints_of(table, progress)
         cloud = open_points(self, parameters, context, table, progress, may_be_empty=True)

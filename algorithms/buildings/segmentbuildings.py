@@ -14,7 +14,7 @@ from ..framework.layers.outlines import (
     footprints_of,
     open_points,
 )
-from ..framework.layers.reprojection import with_heights_of_points
+from ..framework.layers.reprojection import ground_heights, with_heights_of_points
 
 
 class SegmentBuildings(UrbanMapAlgorithm):
@@ -56,17 +56,16 @@ class SegmentBuildings(UrbanMapAlgorithm):
                                "model.")
         self.add_number_output("POINT_COUNT", "Points", "Points given to buildings.")
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.buildings.outlines.outline_dates import BEGINS, ENDS, dated_outlines
         from ...urbanmap_qgis.buildings.segmentation import segment_buildings
 
-        progress = self.progress(feedback)
         table = self.read_polygons(parameters, "FOOTPRINTS", context, progress)
         footprints = footprints_of(table, progress)
         cloud = open_points(self, parameters, context, table, progress)
         table = with_heights_of_points(table, cloud, progress)
         settings = self.settings(SegmentationParameters, parameters, context)
-        ground = self.ground_heights(parameters, "GROUND", context, "FOOTPRINTS", table, progress)
+        ground = ground_heights(self, parameters, context, table, progress)
         points = self.output_path(parameters, "OUTPUT", context)
         with self.workers(parameters, context) as executor:
             buildings = segment_buildings(cloud, footprints, points, settings, ground, executor,

@@ -52,12 +52,11 @@ class SegmentRoofs(UrbanMapAlgorithm):
                                 "most the width.").format(self.label_of("BIN_SHIFT"), shift,
                                                           self.label_of("BIN_WIDTH"), width))
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         import numpy as np
 
         from ...urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs
 
-        progress = self.progress(feedback)
         table = self.read_polygons(parameters, "FOOTPRINTS", context, progress)
         footprints = footprints_of(table, progress)
         cloud = open_points(self, parameters, context, table, progress, may_be_empty=True)

@@ -10,6 +10,7 @@ from ..framework.layers.building_layers import read_buildings
 from ..framework.layers.crs import crs_from
 from ..framework.layers.layers import layer_of, make_fields, table_of_layer
 from ..framework.layers.outlines import BUILDING_ID, column, numbers, open_points
+from ..framework.layers.reprojection import ground_heights
 from ..framework.running.chain import GivenParameters
 
 FILES = {"OUTPUT_CITYJSON": "city.json", "OUTPUT_CITYGML": "citygml"}
@@ -71,7 +72,7 @@ class UpdateBuildings(UrbanMapAlgorithm):
         progress = self.progress(feedback)
         table = self._old(parameters, context, feedback, progress)
         cloud = open_points(self, parameters, context, table, progress, name="BUILDINGS")
-        ground = self.ground_heights(parameters, "GROUND", context, "BUILDINGS", table, progress)
+        ground = ground_heights(self, parameters, context, table, progress, "BUILDINGS")
         sigma = numbers(table, "rmse_z95")
         old = [old_building(geometry, float("nan") if sigma is None else float(sigma[row]))
                for row, geometry in enumerate(table.geometries)]

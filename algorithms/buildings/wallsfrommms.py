@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from contextlib import nullcontext
-from dataclasses import replace
-
 from ...urbanmap_qgis.settings.facades import WallSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.layers.building_layers import read_buildings
-from ..framework.layers.crs import crs_name
-from ..framework.layers.outlines import building_names
+from ..framework.layers.outlines import building_names, open_points
 
 
 class WallsFromMms(UrbanMapAlgorithm):
@@ -57,23 +53,18 @@ class WallsFromMms(UrbanMapAlgorithm):
         self.add_number_output("MEDIAN_SIGMA", "Median sigma", "Median over the walls of the standard deviation of "
                                "their place in the survey.", "m")
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         import numpy as np
 
         from ...urbanmap_qgis.facades.building_plans import building_plans
         from ...urbanmap_qgis.facades.wall_stage import find_walls, wall_columns
-        from ...urbanmap_qgis.io.raster import RasterSampler
 
-        progress = self.progress(feedback)
         table = read_buildings(self, parameters, "BUILDINGS", context, progress)
         plans = building_plans(table.geometries, building_names(table).numbers)
-        cloud = self._cloud(parameters, context, table, progress)
-        path = self.raster_path(parameters, "GROUND", context)
+        cloud = open_points(self, parameters, context, table, progress, name="BUILDINGS")
         trajectory = self._trajectory(parameters, context, table, progress)
-        with (RasterSampler(path) if path else nullcontext() as ground,
+        with (self.sampled_raster(parameters, "GROUND", context, "BUILDINGS", table.crs) as ground,
               self.workers(parameters, context) as executor):
-            if ground is not None:
-                self.same_crs("GROUND", ground.crs_wkt, "BUILDINGS", table.crs)
             walls, counts = find_walls(cloud, plans, self.settings(WallSettings, parameters, context), ground, executor,
                                        progress.part(0.0, 0.95), trajectory)
         if counts.with_walls < counts.near:
@@ -92,20 +83,6 @@ class WallsFromMms(UrbanMapAlgorithm):
         return {**layer, "WALLS": len(walls), "BUILDINGS_WITH_WALLS": counts.with_walls,
                 "BUILDINGS_NEAR": counts.near, "AREA": float(sum(columns["area"])),
                 "MEDIAN_SIGMA": float(np.median(columns["sigma"])) if walls else None}
-
-    def _cloud(self, parameters, context, table, progress):
-        """The survey, in the CRS of the buildings."""
-        from ...urbanmap_qgis.io.points.pointcloud import open_cloud
-
-        cloud = open_cloud(self.point_files(parameters, "POINTS", context))
-        if not cloud.crs_wkt:
-            progress.warn(tr("{0}: the files state no coordinate reference system; they are taken to be in that of "
-                             "{1}, {2}.").format(self.label_of("POINTS"), self.label_of("BUILDINGS"),
-                                                 crs_name(table.crs)))
-            return replace(cloud, crs_wkt=table.crs_wkt)
-        self.require_projected("POINTS", cloud.crs_wkt)
-        self.same_crs("POINTS", cloud.crs_wkt, "BUILDINGS", table.crs)
-        return cloud
 
     def _trajectory(self, parameters, context, table, progress):
         """One trajectory of all that were given, None where there is none."""

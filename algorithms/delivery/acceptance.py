@@ -107,7 +107,7 @@ class Acceptance(ControlResiduals, EdgeRuns, UrbanMapAlgorithm):
         if self.parameterAsString(parameters, "MAP_LEVEL", context) == "given" and given == [None, None]:
             raise InputError(tr("Map level: “given” needs a limit in plan or in height; give one of them."))
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.acceptance.acceptance_report import (
             pdf_content,
             write_acceptance_report,
@@ -116,7 +116,6 @@ class Acceptance(ControlResiduals, EdgeRuns, UrbanMapAlgorithm):
         from ...urbanmap_qgis.acceptance.criteria import criteria, outcome
         from ...urbanmap_qgis.acceptance.error_figures import point_figures
 
-        progress = self.progress(feedback)
         models = self.read_vector(parameters, "BUILDINGS", context, progress)
         if parameters.get("POINTS"):
             return self.compare_with_points(parameters, context, models, progress)

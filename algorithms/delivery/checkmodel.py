@@ -64,7 +64,7 @@ class CheckModel(UrbanMapAlgorithm):
         self.add_number_output("WARNINGS", "Warnings", "Number of warnings.")
 
     def check(self, parameters, context):
-        paths = self._paths(parameters, context)
+        paths = self.input_paths(parameters, context)
         if not paths:
             raise InputError(tr("No file was given: choose a city model (.gml, .zip), a folder of them, or a lane map "
                                 "(.osm)."))
@@ -77,12 +77,12 @@ class CheckModel(UrbanMapAlgorithm):
             raise InputError(tr("{0}: a lane map is checked by itself, and has no tables of files and features: leave "
                                 "the folder and these outputs out.").format(self.label_of("INPUT")))
 
-    def compute(self, parameters, context, feedback):
-        paths = self._paths(parameters, context)
+    def work(self, parameters, context, progress):
+        paths = self.input_paths(parameters, context)
         excluded = self.parameterAsString(parameters, "EXCLUDE", context)
         codes = [code.strip() for code in excluded.split(",") if code.strip()]
         work = self._check_map if _is_map(paths) else self._check_city
-        return work(parameters, context, paths, codes, self.progress(feedback))
+        return work(parameters, context, paths, codes, progress)
 
     def _check_city(self, parameters, context, paths, codes, progress):
         from ...urbanmap_qgis.buildings.solids.validity import check_solid
@@ -155,11 +155,6 @@ class CheckModel(UrbanMapAlgorithm):
             if len(rows) > 500:
                 report.paragraph(tr("The first 500 of {0} are shown; the layer holds all.").format(len(rows)))
         report.write(path)
-
-    def _paths(self, parameters, context):
-        """The file and the folder, as far as they were given."""
-        paths = (self.input_path(parameters, name, context) for name in ("INPUT", "INPUT_FOLDER"))
-        return [path for path in paths if path is not None]
 
 
 def _kind(path) -> str:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 
 from ..framework.declaring.parameters import HTML_FILTER, tr
-from ..framework.layers.layers import make_fields
 from ..mobile.control_points import CRS_HELP, read_check_points
 
 FIGURES = {"MEAN_2D": "Mean error in plan", "MAX_2D": "Maximum error in plan",
@@ -88,9 +87,8 @@ class ControlResiduals:
         results["POINTS_USED"] = len(used)
         columns, places = _residual_columns(used, list(errors.values()))
         if parameters.get("OUTPUT"):
-            fields = make_fields("id", *((name, "real") for name in columns if name != "id"))
             results |= self.write_layer(
-                parameters, "OUTPUT", context, fields, columns, crs or reported.crs_wkt or "", places, "PointZ",
+                parameters, "OUTPUT", context, None, columns, crs or reported.crs_wkt or "", places, "PointZ",
                 style="control_residuals", progress=progress)
         results |= self.write_file(parameters, "OUTPUT_ERRORS", context, write_accuracy_report, used, errors, left_out,
                                    adjusted)

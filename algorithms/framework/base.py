@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from contextlib import nullcontext
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from types import MappingProxyType
 
@@ -53,13 +53,12 @@ GROUPS = {
 }
 
 POINT_SUFFIXES = (".las", ".laz")
-AROUND = 60.0  # m of a raster read beyond the features that it is for
 
 
 class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
     """An algorithm that says what it is in class attributes, declares its parameters and runs.
 
-    A subclass sets the attributes below and implements `declare` and `compute`, and `check` where it has more to check
+    A subclass sets the attributes below and implements `declare` and `work`, and `check` where it has more to check
     before the run than the base class (files are there, folders can be written, outlines are in metres).
 
     Attributes
@@ -97,12 +96,16 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
     def check(self, parameters: Mapping, context: QgsProcessingContext) -> None:
         """Raise `InputError` for parameters that do not fit together; called before and again in the run."""
 
+    def work(self, parameters: Mapping, context: QgsProcessingContext, progress: Progress) -> dict:
+        """Do the work and return the results by output name; core errors may simply rise."""
+        raise NotImplementedError
+
     def compute(self, parameters: Mapping, context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> dict:
-        """Do the work and return the results by output name; core errors may simply rise.
+        """The same with QGIS's own feedback, which chains need for their steps.
 
         (Not named `run`: Python callers of Processing call QGIS's own `run`.)
         """
-        raise NotImplementedError
+        return self.work(parameters, context, self.progress(feedback))
 
     def known_names(self, parameters: Mapping) -> list[str]:
         """Names of parameters that may be given; others are told as a warning."""
@@ -319,6 +322,14 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
                 self.label_of(name)))
         return list(dict.fromkeys(paths))
 
+    def projected_cloud(self, parameters: Mapping, context: QgsProcessingContext):
+        """The core's `PointCloud` of POINTS, in a projected CRS in metres."""
+        from ...urbanmap_qgis.io.points.pointcloud import open_cloud
+
+        cloud = open_cloud(self.point_files(parameters, "POINTS", context))
+        self.require_projected("POINTS", cloud.crs_wkt)
+        return cloud
+
     def input_path(self, parameters: Mapping, name: str, context: QgsProcessingContext) -> Path | None:
         """Path of an existing file or folder; None where an optional one was not given."""
         text = self.parameterAsFile(parameters, name, context)
@@ -327,6 +338,11 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         if not Path(text).exists():
             raise InputError(tr("{0}: {1} does not exist; check its name.").format(self.label_of(name), text))
         return Path(text)
+
+    def input_paths(self, parameters: Mapping, context: QgsProcessingContext) -> list[Path]:
+        """The file INPUT and the folder INPUT_FOLDER, as far as they were given."""
+        paths = (self.input_path(parameters, name, context) for name in ("INPUT", "INPUT_FOLDER"))
+        return [path for path in paths if path is not None]
 
     def raster_path(self, parameters: Mapping, name: str, context: QgsProcessingContext) -> Path | None:
         """File of a raster layer; None where an optional one was not given."""
@@ -429,37 +445,18 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         return source and layers.read_polygon_source(source, self.label_of(name), progress,
                                                      reprojection.points_wkt(self, parameters, context))
 
-    def ground_heights(self, parameters: Mapping, name: str, context: QgsProcessingContext, layer_name: str,
-                       layer: layers.VectorTable, progress: Progress = SILENT):
-        """Grid and heights (rows, columns), m, of a raster round the features of a layer; None where none is given.
-
-        Raises
-        ------
-        InputError : the raster cannot be taken into the layer's CRS, or does not reach it.
-        """
+    @contextmanager
+    def sampled_raster(self, parameters: Mapping, name: str, context: QgsProcessingContext, other: str, crs):
+        """The core's `RasterSampler` of a raster in the CRS of the parameter `other`; None where none is given."""
         path = self.raster_path(parameters, name, context)
         if path is None:
-            return None
-        import shapely
+            yield None
+            return
+        from ...urbanmap_qgis.io.raster import RasterSampler
 
-        from ...urbanmap_qgis.io.raster import RasterSampler, read_raster
-
-        x_min, y_min, x_max, y_max = shapely.total_bounds(layer.geometries)
-        with RasterSampler(path) as source:
-            stated = source.crs_wkt
-        self.same_heights(name, stated, reprojection.POINTS, reprojection.points_wkt(self, parameters, context))
-        if reprojection.needs_moving(stated, layer.crs_wkt):
-            self.same_heights(name, stated, layer_name, layer.crs)
-            return reprojection.raster_in(path, self.label_of(name), layer.crs_wkt,
-                                          (x_min - AROUND, y_min - AROUND, x_max + AROUND, y_max + AROUND), progress)
-        heights, whole, crs = read_raster(path)
-        self.same_crs(name, crs, layer_name, layer.crs)
-        rows, columns, grid = whole.window(x_min - AROUND, y_min - AROUND, x_max + AROUND, y_max + AROUND)
-        heights = heights[rows, columns]
-        if not heights.size:
-            raise InputError(tr("{0} does not reach {1}; give a raster of the same place.").format(
-                self.label_of(name), self.label_of(layer_name)))
-        return grid, heights
+        with RasterSampler(path) as raster:
+            self.same_crs(name, raster.crs_wkt, other, crs)
+            yield raster
 
     def write_layer(self, parameters: Mapping, name: str, context: QgsProcessingContext, fields, columns, crs,
                     geometries=None, geometry_type: str = "NoGeometry", style: str = "",

@@ -52,14 +52,13 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
         self.add_number_output("MEDIAN_SIGMA", "Median sigma", "Of the offsets of the adjusted walls.", "m")
         self.add_number_output("MEDIAN_OFFSET", "Median offset", "Size of the offsets of the adjusted walls.", "m")
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         import numpy as np
 
         from ...urbanmap_qgis.gnss.reports.report import write_adjustment_report
         from ...urbanmap_qgis.gnss.walls.adjustment import ADJUSTED, LIKELY, adjust_walls
         from ...urbanmap_qgis.gnss.walls.columns import adjusted_wall_columns, building_columns, wall_lines
 
-        progress = self.progress(feedback)
         buildings = self.read_gnss_buildings(parameters, context, progress)
         table = buildings.table
         signals = self.read_signals(parameters, context, buildings, progress.part(0.02, 0.3))

@@ -43,14 +43,13 @@ class GnssReflections(GnssInputs, UrbanMapAlgorithm):
         self.add_number_output("WITHIN_5", "Within 5 m", "Share of the reflected signals within 5 m of prediction.")
         self.add_number_output("WITHIN_10", "Within 10 m", "Share of the reflected signals within 10 m of prediction.")
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.gnss.rays.ray_lines import ray_columns, ray_lines, ray_statistics, thinned
         from ...urbanmap_qgis.gnss.rays.reflections import LOS, NLOS, REFLECTED
         from ...urbanmap_qgis.gnss.rays.wall_faces import building_walls
         from ...urbanmap_qgis.gnss.reports.report import write_reflection_report
         from ...urbanmap_qgis.gnss.walls.residuals import trace_residuals
 
-        progress = self.progress(feedback)
         buildings = self.read_gnss_buildings(parameters, context, progress)
         walls = building_walls(buildings.table.geometries, buildings.building, buildings.top, buildings.base)
         signals = self.read_signals(parameters, context, buildings, progress.part(0.02, 0.4))
@@ -67,10 +66,6 @@ class GnssReflections(GnssInputs, UrbanMapAlgorithm):
             "gnss_rays", progress.part(0.8, 1.0))
         return {**layer, **report, "SIGNALS": len(signals),
                 "LOS": figures.count[LOS], "NLOS": figures.count[NLOS], "REFLECTED": figures.count[REFLECTED],
-                "LOS_MEDIAN": _number(figures.los_median), "LOS_IQR": _number(figures.los_iqr),
-                "WITHIN_5": _number(figures.within_5), "WITHIN_10": _number(figures.within_10)}
-
-
-def _number(value):
-    """A number, or None where there is none."""
-    return None if value != value else float(value)
+                "LOS_MEDIAN": float(figures.los_median),
+                "LOS_IQR": float(figures.los_iqr), "WITHIN_5": float(figures.within_5),
+                "WITHIN_10": float(figures.within_10)}

@@ -7,7 +7,6 @@ from qgis.core import QgsProcessingParameterExtent
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
-from ..framework.layers.layers import make_fields
 from .inputs import GnssInputs
 
 SYSTEM_FIELDS = {"gps": "G", "glonass": "R", "galileo": "E", "beidou": "C", "qzss": "J"}
@@ -74,7 +73,7 @@ class SatelliteVisibility(GnssInputs, UrbanMapAlgorithm):
                 self.label_of("OUTPUT_RASTER")))
         super().check(parameters, context)
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         import numpy as np
         import shapely
 
@@ -83,7 +82,6 @@ class SatelliteVisibility(GnssInputs, UrbanMapAlgorithm):
         from ...urbanmap_qgis.gnss.rays.visibility import SkySettings
         from ...urbanmap_qgis.gnss.rays.wall_faces import building_walls
 
-        progress = self.progress(feedback)
         buildings = self.read_gnss_buildings(parameters, context, progress)
         table = buildings.table
         walls = building_walls(table.geometries, buildings.building, buildings.top, buildings.base)
@@ -96,11 +94,10 @@ class SatelliteVisibility(GnssInputs, UrbanMapAlgorithm):
         inputs = (WallObstacles.of(walls), walls, navigation, table, settings, progress.part(0.05, 0.9))
         along = self.files_of(parameters, "TRAJECTORY", context)
         time, place, seen, raster = (self._along if along else self._over)(parameters, context, *inputs)
-        columns = {"time": time, "satellites": seen.satellites, "above": seen.above, "pdop": seen.pdop}
-        columns |= {field: seen.by_system.get(letter, np.full(len(time), np.nan))
-                    for field, letter in SYSTEM_FIELDS.items()}
-        fields = make_fields("time", "satellites", *((name, "int") for name in SYSTEM_FIELDS), "above", "pdop")
-        layer = self.write_layer(parameters, "OUTPUT", context, fields, columns, table.crs, shapely.points(place),
+        columns = {"time": time, "satellites": seen.satellites,
+                   **{field: seen.by_system.get(letter, np.full(len(time), np.nan))
+                      for field, letter in SYSTEM_FIELDS.items()}, "above": seen.above, "pdop": seen.pdop}
+        layer = self.write_layer(parameters, "OUTPUT", context, None, columns, table.crs, shapely.points(place),
                                  "PointZ", "satellite_visibility", progress.part(0.9, 1.0))
         outside = np.isfinite(seen.satellites)
         if not outside.all():
@@ -153,14 +150,11 @@ class SatelliteVisibility(GnssInputs, UrbanMapAlgorithm):
         import numpy as np
 
         from ...urbanmap_qgis.gnss.rays.visibility import level_ground
-        from ...urbanmap_qgis.io.raster import RasterSampler
 
         above = self.parameterAsDouble(parameters, "ANTENNA_HEIGHT", context)
-        path = self.raster_path(parameters, "GROUND", context)
-        if path is None:
-            return np.full(grid.shape, level_ground(walls) + above)
-        with RasterSampler(path) as ground:
-            self.same_crs("GROUND", ground.crs_wkt, "BUILDINGS", table.crs)
+        with self.sampled_raster(parameters, "GROUND", context, "BUILDINGS", table.crs) as ground:
+            if ground is None:
+                return np.full(grid.shape, level_ground(walls) + above)
             x, y = np.meshgrid(*grid.centres())
             return ground.sample(x.ravel(), y.ravel()).reshape(grid.shape) + above
 

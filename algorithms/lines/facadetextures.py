@@ -52,11 +52,10 @@ class FacadeTextures(UrbanMapAlgorithm):
         check_model_name(self.output_path(parameters, "OUTPUT", context))
         check_images(self, parameters, context)
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.imagery.textures.texture_files import write_textured
         from ...urbanmap_qgis.imagery.textures.texture_stage import buildings_of, summary, texture_buildings
 
-        progress = self.progress(feedback)
         table = self.read_vector(parameters, "BUILDINGS", context, progress)
         self.require_projected("BUILDINGS", table.crs)
         ids = column(table, "building_id") or table.ids.tolist()
@@ -99,11 +98,10 @@ class FacadeTextures(UrbanMapAlgorithm):
     def _write_facades(self, parameters, context, records, table, progress):
         """The layer of facades, where wanted."""
         names = ("facade", "area", "azimuth", "seen", "detail", "images", "status", "reason")
-        kinds = ("int", "real", "real", "real", "real", "text", "text", "text")
         values = {name: [getattr(record, name) for record in records] for name in names}
         ids = [record.building for record in records]
         kind = "int" if all(isinstance(value, int) for value in ids) else "text"
         values["building_id"] = ids if kind == "int" else [str(value) for value in ids]
-        return self.write_layer(parameters, "OUTPUT_FACADES", context,
-                                make_fields(("building_id", kind), *zip(names, kinds)), values, table.crs,
+        fields = make_fields(("building_id", kind), ("facade", "int"), *names[1:], style="facades")
+        return self.write_layer(parameters, "OUTPUT_FACADES", context, fields, values, table.crs,
                                 [record.polygon for record in records], "PolygonZ", "facades", progress)

@@ -47,10 +47,9 @@ class GeoreferenceScans(UrbanMapAlgorithm):
         self.add_number_output("OUTSIDE_TIME", "Outside the time", "Returns left out because they were measured "
                                "outside the trajectory or in a gap of it.")
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.mobile.lines.georeferencing import georeference_scans
 
-        progress = self.progress(feedback)
         scans = [Path(text) for text in self.files_of(parameters, "SCANS", context)]
         calibration = self.read_calibration(parameters, context)
         given = self.parameterAsCrs(parameters, "CRS", context)

@@ -49,14 +49,13 @@ class ObjectsFromImages(UrbanMapAlgorithm):
     def check(self, parameters, context):
         check_images(self, parameters, context)
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         import numpy as np
 
         from ...urbanmap_qgis.imagery.objects.image_outlines import image_outlines
         from ...urbanmap_qgis.imagery.objects.object_stage import geometry_type, objects_from_outlines
 
-        progress = self.progress(feedback)
-        cloud = self._cloud(parameters, context)
+        cloud = self.projected_cloud(parameters, context)
         table = self.read_vector(parameters, "OUTLINES", context, progress)
         sources = image_sources(self, parameters, context, cloud.crs_wkt, progress)
         outlines = image_outlines(table.geometries, column(table, IMAGE), sources)
@@ -76,11 +75,3 @@ class ObjectsFromImages(UrbanMapAlgorithm):
         sigmas = [item.sigma for item in result if item.geometry is not None]
         return {**layer, "OBJECTS": len(result), "MEASURED": len(result) - missing,
                 "SIGMA": float(np.median(sigmas)) if sigmas else None}
-
-    def _cloud(self, parameters, context):
-        """The point cloud, which must say in which projected CRS it is."""
-        from ...urbanmap_qgis.io.points.pointcloud import open_cloud
-
-        cloud = open_cloud(self.point_files(parameters, "POINTS", context))
-        self.require_projected("POINTS", cloud.crs_wkt)
-        return cloud

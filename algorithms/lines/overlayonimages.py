@@ -55,10 +55,9 @@ class OverlayOnImages(UrbanMapAlgorithm):
                 raise InputError(tr("{0} was given, but not {1}; give both.").format(
                     self.label_of(f"{name}_BEFORE"), self.label_of(name)))
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.imagery.overlays.overlay_stage import write_overlays
 
-        progress = self.progress(feedback)
         states = [self._state(parameters, context, "", tr("after") if self._has_before(parameters) else tr("overlay"),
                               progress)]
         if self._has_before(parameters):

@@ -73,10 +73,9 @@ class RectifyTrajectory(UrbanMapAlgorithm):
     def check(self, parameters, context):
         check_report_images(self, parameters, context)
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.mobile.lines.rectification import rectify
 
-        progress = self.progress(feedback)
         notes: list[str] = []
         warned = noting(progress, notes)
         table, ties = self._tie_points(parameters, context, progress)

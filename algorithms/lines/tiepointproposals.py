@@ -56,7 +56,7 @@ class TiePointProposals(UrbanMapAlgorithm):
         if bool(parameters.get("BUILDINGS")) == bool(parameters.get("SURFACE")):
             raise InputError(tr("Give either {0} or {1}.").format(self.label_of("BUILDINGS"), self.label_of("SURFACE")))
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         import numpy as np
         import shapely
 
@@ -64,7 +64,6 @@ class TiePointProposals(UrbanMapAlgorithm):
         from ...urbanmap_qgis.mobile.gps_time import time_shift
         from ...urbanmap_qgis.mobile.lines.tie_point_proposals import propose_tie_points
 
-        progress = self.progress(feedback)
         with self._reference(parameters, context, progress.part(0.0, 0.05)) as (crs_wkt, corners_of):
             cloud = open_cloud(self.point_files(parameters, "POINTS", context), crs_wkt)
             self.same_crs("POINTS", cloud.crs_wkt, "BUILDINGS" if parameters.get("BUILDINGS") else "SURFACE", crs_wkt)

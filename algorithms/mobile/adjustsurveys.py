@@ -72,16 +72,13 @@ class AdjustSurveys(UrbanMapAlgorithm):
                 raise InputError(tr("{0}: {1} would be written over another trajectory; choose another folder.").format(
                     self.label_of("OUTPUT"), target.name))
 
-    def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.io.points.pointcloud import open_cloud
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.mobile.adjustment.drive_clouds import assign_clouds
         from ...urbanmap_qgis.mobile.adjustment.report import write_network_report
         from ...urbanmap_qgis.mobile.adjustment.stage import adjust_surveys
 
-        progress = self.progress(feedback)
         paths = self.point_files(parameters, "POINTS", context)
-        crs = open_cloud(paths).crs_wkt
-        self.require_projected("POINTS", crs)
+        crs = self.projected_cloud(parameters, context).crs_wkt
         files = self.read_trajectories(parameters, context, crs, progress)
         targets = self._targets(parameters, context)
         names = [path.stem for path in targets]

@@ -51,11 +51,10 @@ class ApplyTrajectory(UrbanMapAlgorithm):
     def check(self, parameters, context):
         check_poses(self, parameters, context)
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.io.points.pointcloud import open_cloud
         from ...urbanmap_qgis.mobile.apply_correction import apply_correction, apply_to_images
 
-        progress = self.progress(feedback)
         paths = self.point_files(parameters, "POINTS", context)
         crs = open_cloud(paths).crs_wkt
         reported = self.read_trajectory(parameters, "TRAJECTORY", context, crs, progress)

@@ -43,15 +43,12 @@ class CalibrateScanner(UrbanMapAlgorithm):
         self.add_number_output("RMS_AFTER", "RMS after", "Distance between planes after.", "m")
         self.add_number_output("DETERMINED", "Determined", "Number of values that are determined.")
 
-    def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.io.points.pointcloud import open_cloud
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.mobile.adjustment.drive_clouds import assign_clouds
         from ...urbanmap_qgis.mobile.boresight.stage import calibrate_scanners, write_calibration
 
-        progress = self.progress(feedback)
         paths = self.point_files(parameters, "POINTS", context)
-        crs = open_cloud(paths).crs_wkt
-        self.require_projected("POINTS", crs)
+        crs = self.projected_cloud(parameters, context).crs_wkt
         trajectories = [item.trajectory for item in self.read_trajectories(parameters, context, crs, progress)]
         names = [path.stem for path in self.trajectory_files(parameters, context)]
         source = self.input_path(parameters, "CALIBRATION", context)

@@ -39,16 +39,15 @@ class GroundFromMms(UrbanMapAlgorithm):
         self.add_number_output("GROUND_SHARE", "Ground share", "Ground points as a share of the points used, 0 to 1.")
         self.add_number_output("PASSES", "Passes", "Passes through the same place that were filtered apart.")
 
-    def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.io.points.pointcloud import open_cloud
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.mobile.ground import classify_ground_files
 
         paths = self.point_files(parameters, "POINTS", context)
-        self.require_projected("POINTS", open_cloud(paths).crs_wkt)
+        self.projected_cloud(parameters, context)
         settings = self.settings(ClothSettings, parameters, context)
         output = self.output_path(parameters, "OUTPUT", context)
         with self.workers(parameters, context) as executor:
-            result = classify_ground_files(paths, output, settings, self.progress(feedback), executor,
+            result = classify_ground_files(paths, output, settings, progress, executor,
                                            min_ground_share=self.parameterAsDouble(parameters, "MIN_GROUND_SHARE",
                                                                                    context))
         return {"OUTPUT": str(output), "POINTS_READ": result.points, "POINTS_USED": result.usable,

@@ -29,11 +29,10 @@ class LandmarkUpdate(UrbanMapAlgorithm):
         self.add_trajectory_output()
         self.add_number_output("POINTS_USED", "Control points used", "Those measured during the survey.")
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.mobile.control import in_survey_time
         from ...urbanmap_qgis.mobile.landmark_update import update_by_landmarks
 
-        progress = self.progress(feedback)
         control, crs = read_control(self, parameters, context, progress)
         reported = self.read_trajectory(parameters, "TRAJECTORY", context, crs or None, progress)
         used, left_out = in_survey_time(control, reported.trajectory)

@@ -92,11 +92,10 @@ class RegisterMms(UrbanMapAlgorithm):
         self.add_number_output("MEDIAN_SIGMA", "Median standard deviation", "In plan, over the whole path.", "m")
         self.add_number_output("MAX_SIGMA", "Maximum standard deviation", "In plan, over the whole path.", "m")
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.mobile.registration.report import write_registration_report
         from ...urbanmap_qgis.mobile.registration.stage import register_survey
 
-        progress = self.progress(feedback)
         paths, crs, trajectory, reference = read_survey_and_reference(self, parameters, context, progress)
         calibration = self.read_calibration(parameters, context)
         run = self._run(parameters, context, reference, paths)
@@ -173,7 +172,6 @@ class RegisterMms(UrbanMapAlgorithm):
         (steps, places), (areas, roads), results = step_table(registered), area_table(registered), {}
         for name, columns, at, kind, style in (("OUTPUT_STEPS", steps, shapely.points(places), "PointZ", "mms_steps"),
                                                ("OUTPUT_AREAS", areas, roads, "Polygon", "mms_areas")):
-            fields = make_fields(*((column, "text" if column == "kind" else "real") for column in columns))
-            results |= self.write_layer(parameters, name, context, fields, columns, crs, at, kind,
+            results |= self.write_layer(parameters, name, context, None, columns, crs, at, kind,
                                              style=style, progress=progress)
         return results

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from ...urbanmap_qgis.settings.mobile import ReachRules, StrokeRules
 from ...urbanmap_qgis.settings.terrain import ClothSettings
 from ..framework.base import UrbanMapAlgorithm
@@ -71,11 +69,10 @@ class RoadMarkingsFromMms(UrbanMapAlgorithm):
         self.add_number_output("LEFT_OUT", "Points left out", "Points at times for which the trajectory has no place, "
                                "or at which the vehicle stood.")
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.mobile.markings.curve_report import doubts, facts_of, write_curve_report
         from ...urbanmap_qgis.mobile.markings.markings_file import markings_to_file
 
-        progress = self.progress(feedback)
         paths, _, trajectory = read_survey(self, parameters, context, progress)
         calibration = self.read_calibration(parameters, context)
         output = self.output_path(parameters, "OUTPUT", context)
@@ -84,10 +81,8 @@ class RoadMarkingsFromMms(UrbanMapAlgorithm):
                                       self._settings(parameters, context), progress.part(0.0, 0.98), executor)
         for sentence in doubts(result):
             progress.warn(sentence)
-        results = {"OUTPUT": str(output), **facts_of(result), **self.write_file(
+        return {"OUTPUT": str(output), **facts_of(result), **self.write_file(
             parameters, "OUTPUT_CURVE", context, write_curve_report, result, [path.name for path in paths])}
-        return {name: None if isinstance(value, float) and math.isnan(value) else value
-                for name, value in results.items()}
 
     def _settings(self, parameters, context):
         from ...urbanmap_qgis.mobile.markings.extraction import ExtractionSettings

@@ -19,12 +19,10 @@ class SurveyInputs(NamedTuple):
 def read_survey(algorithm, parameters, context, progress):
     """Files of POINTS, their CRS as WKT, and the core's `TrajectoryFile` of TRAJECTORY, of one place and time."""
     from ...urbanmap_qgis.io.points.coordinate_steps import told_steps
-    from ...urbanmap_qgis.io.points.pointcloud import open_cloud
     from ...urbanmap_qgis.mobile.survey_checks import require_survey
 
     paths = algorithm.point_files(parameters, "POINTS", context)
-    cloud = open_cloud(paths)
-    algorithm.require_projected("POINTS", cloud.crs_wkt)
+    cloud = algorithm.projected_cloud(parameters, context)
     trajectory = algorithm.read_trajectory(parameters, "TRAJECTORY", context, cloud.crs_wkt, progress)
     algorithm.same_crs("POINTS", cloud.crs_wkt, "TRAJECTORY", trajectory.crs_wkt)
     require_survey(cloud, trajectory.trajectory)

@@ -11,9 +11,8 @@ from ..framework.layers.layers import make_fields
 from .comparison_report import write_comparison_report
 
 OSM_FILTER = "Lanelet2 (*.osm)"
-FIELDS = ("kind", "element", ("before", "text"), ("after", "text"), "length", ("shift", "real"), "azimuth",
-          ("along", "real"), ("across", "real"), "sigma", ("significance", "real"), ("old_id", "text"),
-          ("new_id", "text"))
+FIELDS = ("kind", "element", "before", "after", "length", "shift", "azimuth", "along", "across", "sigma",
+          "significance", "old_id", "new_id")
 SIDES = ("OLD", "NEW")
 INPUTS = (("OLD", "Old map: Lanelet2 file", "Old map: lines", "Old map: areas", "Sigma of the old map"),
           ("NEW", "New map: Lanelet2 file", "New map: lines", "New map: areas", "Sigma of the new map"))
@@ -75,14 +74,13 @@ class CompareMaps(UrbanMapAlgorithm):
                 raise InputError(tr("{0}: areas go with a map that is given as lines.").format(
                     self.label_of(f"{side}_AREAS")))
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         import numpy as np
 
         from ...urbanmap_qgis.roadmap.comparison.comparison_records import CHANGES
         from ...urbanmap_qgis.roadmap.comparison.comparison_tables import change_columns, change_shapes
         from ...urbanmap_qgis.roadmap.comparison.map_comparison import compare_maps
 
-        progress = self.progress(feedback)
         maps, crs, crs_wkt = self._maps(parameters, context)
         sigmas = [self.parameterAsDouble(parameters, f"{side}_SIGMA", context)
                   if parameters.get(f"{side}_SIGMA") not in (None, "") else np.nan for side in SIDES]
@@ -90,9 +88,10 @@ class CompareMaps(UrbanMapAlgorithm):
         found = compare_maps(*maps, settings, self._area(parameters, context, crs), progress.part(0.1, 0.9))
         for kind in CHANGES:
             progress.message(f"{tr(kind)}: {len(found.of(kind))}")
-        results = self.write_layer(parameters, "OUTPUT", context, make_fields(*FIELDS), change_columns(found.changes),
-                                   crs or crs_from(crs_wkt), change_shapes(found.changes), "LineString",
-                                   style="map_changes", progress=progress.part(0.9, 1.0))
+        results = self.write_layer(parameters, "OUTPUT", context, make_fields(*FIELDS, style="map_changes"),
+                                   change_columns(found.changes), crs or crs_from(crs_wkt),
+                                   change_shapes(found.changes), "LineString", style="map_changes",
+                                   progress=progress.part(0.9, 1.0))
         results |= {kind.upper(): len(found.of(kind)) for kind in CHANGES}
         results |= write_comparison_report(self, parameters, context, found, maps, settings)
         taken = found.offset.significant

@@ -1,11 +1,11 @@
-"""What the map of localisation accuracy takes: buildings and markings with their accuracy, roads, satellites."""
+"""What the map of localisation accuracy takes: a map with its accuracy, roads, satellites, what a vehicle carries."""
 
 from __future__ import annotations
 
 from qgis.core import QgsProcessingParameterExtent
 
 from ...urbanmap_qgis.errors import InputError
-from ...urbanmap_qgis.settings.localisation import EvidenceSettings
+from ...urbanmap_qgis.settings.localisation import EvidenceSettings, ScannerSettings
 from ..framework.declaring.parameters import tr
 from ..framework.layers.building_layers import read_buildings
 from ..framework.layers.outlines import column, numbers
@@ -51,6 +51,40 @@ class LocalisationInputs(TrajectoryParameters):
                 ("SIGMA_FIELD", "Field with the sigma of walls", "Of a building's walls, m; wall_sigma and sigma_xy "
                  "are found by themselves.")):
             self.add_field(name, label, help, "BUILDINGS", advanced=True)
+
+    def add_satellites(self):
+        self.add_files("NAVIGATION", "Navigation", "RINEX navigation files or SP3 orbits: then satellites count too.",
+                       optional=True)
+        self.add_text("TIME", "Time", "Time in UTC for roads and areas, such as 2024-04-18 02:30:00; left empty, six "
+                      "times over the hours of the navigation files. A trajectory has times of its own.")
+        self.add_number("ELEVATION_MASK", "Elevation mask", "Satellites lower than this are not used.", 10.0, 0.0, 60.0,
+                        unit="degrees", advanced=True)
+        self.add_text("SYSTEMS", "Satellite systems", "G GPS, R GLONASS, E Galileo, C BeiDou, J QZSS.", "GRECJ",
+                      advanced=True)
+
+    def add_sensors(self):
+        self.add_settings(ScannerSettings, "kind", "max_range", "height")
+        self.add_settings(EvidenceSettings, "matcher")
+        self.add_settings(ScannerSettings)
+        self.add_settings(EvidenceSettings)
+
+    def add_simulation(self):
+        self.add_boolean("SIMULATE", "Simulate scans", "Scans are simulated at some places and registered to the map: "
+                         "observed against predicted accuracy in the report and among the results.")
+        self.add_number("SIMULATE_EVERY", "Simulate every", "At every so many places that see walls.", 5, 1, 10000,
+                        integer=True, advanced=True)
+        self.add_number("DRAWS", "Scans a place", "Each in another true city, as the sigmas of the walls allow.", 20, 2,
+                        1000, integer=True, advanced=True)
+        self.add_polygons("TRUTH_BUILDINGS", "True buildings", "The true city to simulate in, with heights as "
+                          "BUILDINGS has them; without it the map is displaced by its sigmas.", optional=True)
+        self.add_number("SEED", "Seed", "Of the simulation.", 1, 0, integer=True, advanced=True)
+
+    def settings_from(self, parameters, context):
+        """The core's settings."""
+        from ...urbanmap_qgis.localisation.localisation_settings import LocalisationSettings, VehicleScanner
+
+        return self.settings(LocalisationSettings, parameters, context,
+                             scanner=self.settings(VehicleScanner, parameters, context))
 
     def read_pieces(self, parameters, name, context, progress):
         """A layer of buildings, the core's walls (None without heights), the middles of the buildings that have none,

@@ -8,10 +8,9 @@ from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from .localisation_inputs import LocalisationInputs
-from .localisation_sensors import LocalisationSensors
 
 
-class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgorithm):
+class LocalisationAccuracy(LocalisationInputs, UrbanMapAlgorithm):
     ID = "localisationaccuracy"
     NAME = "Map of localisation accuracy"
     SOURCE = "Javanmardi, 6.2"
@@ -68,7 +67,7 @@ class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgo
             raise InputError(tr("{0}: scans are simulated of buildings; give these.").format(
                 self.label_of("SIMULATE")))
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         import numpy as np
         import shapely
 
@@ -76,7 +75,6 @@ class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgo
         from ...urbanmap_qgis.localisation.report.accuracy_tables import accuracy_columns, lengths_by_class
         from ...urbanmap_qgis.localisation.report.localisation_report import write_localisation_report
 
-        progress = self.progress(feedback)
         settings = self.settings_from(parameters, context)
         city, places, crs = self.read_map(parameters, context, progress.part(0.0, 0.2))
         result = accuracy_map(city, places, settings, progress.part(0.2, 0.4))
@@ -89,7 +87,7 @@ class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgo
         self._raster(parameters, context, result, crs, results)
         results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_localisation_report, city, result, check)
         if check is not None:
-            results |= {"RANK": _number(check.rank), "INSIDE": _number(check.inside)}
+            results |= {"RANK": check.rank, "INSIDE": check.inside}
         known = np.isfinite(result.ellipse.major)
         length = lengths_by_class(result)
         if not known.any():
@@ -168,15 +166,10 @@ class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgo
 
     def _on_ground(self, parameters, context, table, places):
         """The places with the heights of the ground raster, where one is given."""
-        path = self.raster_path(parameters, "GROUND", context)
-        if path is None:
-            return places
-        from ...urbanmap_qgis.io.raster import RasterSampler
         from ...urbanmap_qgis.localisation.report.accuracy_tables import ground_under_places
 
-        with RasterSampler(path) as ground:
-            self.same_crs("GROUND", ground.crs_wkt, "BUILDINGS", table.crs)
-            return replace(places, ground=ground_under_places(ground, places))
+        with self.sampled_raster(parameters, "GROUND", context, "BUILDINGS", table.crs) as ground:
+            return places if ground is None else replace(places, ground=ground_under_places(ground, places))
 
     def _raster(self, parameters, context, accuracy, crs, results):
         from ...urbanmap_qgis.io.raster import write_raster
@@ -187,8 +180,3 @@ class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgo
             values, grid = accuracy_raster(accuracy, self.parameterAsDouble(parameters, "SPACING", context))
             write_raster(path, values, grid, crs.toWkt())
             results["OUTPUT_RASTER"] = str(path)
-
-
-def _number(value):
-    """A number among the results; None where there is none."""
-    return None if value != value else value

@@ -69,21 +69,16 @@ class MarkingLines(UrbanMapAlgorithm):
         if not parameters.get("MARKINGS") and not self.point_files(parameters, "POINTS", context):
             raise InputError(tr("Neither road markings nor marking points were given: give one or both."))
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.roadmap.lines.line_work import line_work, with_ground_heights
 
-        progress = self.progress(feedback)
         polygons, colours, crs, source, drives = self._paint(parameters, context, progress.part(0.0, 0.05))
         settings = self.settings(LineSettings, parameters, context)
         work = line_work(polygons, colours, settings, progress.part(0.05, 0.8), drives)
-        ground = self.raster_path(parameters, "GROUND", context)
-        if ground is not None:
-            from ...urbanmap_qgis.io.raster import RasterSampler
-
-            with RasterSampler(ground) as heights:
-                self.same_crs("GROUND", heights.crs_wkt, source, crs)
-                work = with_ground_heights(work, heights.sample)
-            self._tell_heights(work, progress)
+        with self.sampled_raster(parameters, "GROUND", context, source, crs) as ground:
+            if ground is not None:
+                work = with_ground_heights(work, ground.sample)
+                self._tell_heights(work, progress)
         self._tell(work, progress)
         lines = self._write_lines(parameters, context, work, crs, ground is not None, progress.part(0.8, 0.9))
         areas = self._write_areas(parameters, context, work, crs, ground is not None, progress.part(0.9, 1.0))

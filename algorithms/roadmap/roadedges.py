@@ -73,12 +73,11 @@ class RoadEdges(UrbanMapAlgorithm):
             raise InputError(tr("{0} is given but {1} is not: name the GeoPackage that it is to go into.").format(
                 self.label_of(given[0]), self.label_of("OUTPUT_PACKAGE")))
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         import numpy as np
 
         from ...urbanmap_qgis.roadmap.edges.edge_records import KERB, MEASURED
 
-        progress = self.progress(feedback)
         paths, crs, read = read_survey(self, parameters, context, progress)
         carried = self._carried(parameters, context, crs)
         settings = self.settings(EdgeSettings, parameters, context)
@@ -91,15 +90,10 @@ class RoadEdges(UrbanMapAlgorithm):
                 "WALL_LENGTH": found.length("wall"), "MEDIAN_SIGMA": float(np.median(sigmas)) if sigmas else None}
 
     def _find(self, parameters, context, paths, crs, trajectory, settings, progress):
-        from ...urbanmap_qgis.io.raster import RasterSampler
         from ...urbanmap_qgis.roadmap.edges.road_edges import road_edges
 
-        ground = self.raster_path(parameters, "GROUND", context)
-        if ground is None:
-            return road_edges(paths, trajectory, settings, progress=progress)
-        with RasterSampler(ground) as heights:
-            self.same_crs("GROUND", heights.crs_wkt, "POINTS", crs)
-            return road_edges(paths, trajectory, settings, heights.sample, progress)
+        with self.sampled_raster(parameters, "GROUND", context, "POINTS", crs) as ground:
+            return road_edges(paths, trajectory, settings, ground and ground.sample, progress)
 
     def _carried(self, parameters, context, crs):
         """Layers of OBJECTS and WALLS for the GeoPackage, in the CRS of the points."""

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections import Counter
-
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.layers.layers import make_fields
 from .streetobjects import StreetObjects, creation_day
-from .surveyed_model import compute_surveyed, write_no_areas
+from .surveyed_model import compute_surveyed, tell_kinds, write_no_areas
 
 # QGIS takes whole numbers for places in this list: 1 and 2 stand at theirs.
 LEVELS, FROM_ROADS, FINEST = ("3.3", "1", "2", "3.0", "3.1", "3.2", "finest"), "1", "finest"
@@ -114,13 +112,12 @@ class RoadModel(UrbanMapAlgorithm):
         check_function(self.parameterAsString(parameters, "FUNCTION", context))
         self.day_of(parameters, "DATA_DATE", context)
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.roadspace.road_city import known_functions
         from ...urbanmap_qgis.roadspace.road_model import Structures, build_road_model, with_functions
         from ...urbanmap_qgis.roadspace.road_surface import surface_of
         from .road_report import write_road_report
 
-        progress = self.progress(feedback)
         if self.level(parameters, context) != FROM_ROADS:
             return compute_surveyed(self, parameters, context, progress)
         table = self.read_vector(parameters, "ROADS", context, progress.part(0.0, 0.05))
@@ -128,7 +125,8 @@ class RoadModel(UrbanMapAlgorithm):
         surface = surface_of(table.geometries)
         built = build_road_model(surface, structures, progress=progress.part(0.1, 0.8))
         built = with_functions(built, table.geometries, known_functions(table.columns.get("function", ())))
-        self._tell(built, progress)
+        tell_kinds(built.pieces, progress)
+        tell_kinds(built.findings, progress)
         results = {**self.write_road_layers(parameters, context, built, table.crs),
                    **write_no_areas(self, parameters, context, table.crs)}
         folder = self.output_path(parameters, "OUTPUT_CITYGML", context)
@@ -187,9 +185,3 @@ class RoadModel(UrbanMapAlgorithm):
                             material=self.parameterAsString(parameters, "MATERIAL", context),
                             map_level=int(level) if level.isdigit() else 0,
                             created=creation_day(self, parameters, context, progress))
-
-    def _tell(self, built, progress):
-        for kind, count in sorted(Counter(piece.kind for piece in built.pieces).items()):
-            progress.message(tr("{0}: {1}").format(tr(kind), count))
-        for kind, count in sorted(Counter(one.kind for one in built.findings).items()):
-            progress.message(tr("{0}: {1}").format(tr(kind), count))

@@ -9,6 +9,7 @@ from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.layers.layers import make_fields
 from ..mobile.survey_inputs import read_survey
+from .roadedges import RoadEdges
 
 FIELDS = ("object_id", "kind", "confidence", "height", "diameter", "lean", "azimuth", "crown", "arm", "arm_height",
           "head_height", "board_width", "board_height", "board_z", "sigma", "points", "passes", "status", "reason",
@@ -37,10 +38,7 @@ class StreetObjects(UrbanMapAlgorithm):
     )
 
     def declare(self):
-        self.add_points(help="The survey, placed by the trajectory: LAS, LAZ or COPC files with GPS times, in one "
-                        "projected coordinate system.")
-        self.add_trajectory()
-        self.add_trajectory_reading()
+        self.add_from(RoadEdges, "POINTS", "TRAJECTORY", "ANGLES", "GEOID", "GEOID_HEIGHT")
         self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres, from which those of the "
                         "points are counted. Without it the ground is found among the points; where the raster has no "
                         "value no object is found.", optional=True)
@@ -71,13 +69,12 @@ class StreetObjects(UrbanMapAlgorithm):
     def check(self, parameters, context):
         self.day_of(parameters, "DATA_DATE", context)
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         import numpy as np
 
         from ...urbanmap_qgis.roadmap.objects.object_records import MEASURED
         from .object_report import write_object_report
 
-        progress = self.progress(feedback)
         paths, crs, read = read_survey(self, parameters, context, progress)
         settings = self.settings(ObjectSettings, parameters, context)
         wants_rails = parameters.get("OUTPUT_RAILS") not in (None, "")
@@ -94,21 +91,13 @@ class StreetObjects(UrbanMapAlgorithm):
 
     def _find(self, parameters, context, paths, crs, trajectory, settings, wants_rails, progress):
         """Objects, and the guard rails where they are wanted."""
-        from contextlib import ExitStack
-
-        from ...urbanmap_qgis.io.raster import RasterSampler
         from ...urbanmap_qgis.roadmap.edges.edge_records import RAIL
         from ...urbanmap_qgis.roadmap.edges.road_edges import road_edges
         from ...urbanmap_qgis.roadmap.objects.street_objects import street_objects
 
-        heights, rails = None, []
-        ground = self.raster_path(parameters, "GROUND", context)
-        share = 0.5 if wants_rails else 0.95
-        with ExitStack() as opened:
-            if ground is not None:
-                raster = opened.enter_context(RasterSampler(ground))
-                self.same_crs("GROUND", raster.crs_wkt, "POINTS", crs)
-                heights = raster.sample
+        rails, share = [], 0.5 if wants_rails else 0.95
+        with self.sampled_raster(parameters, "GROUND", context, "POINTS", crs) as ground:
+            heights = ground and ground.sample
             found = street_objects(paths, trajectory, settings, heights, progress.part(0.0, share))
             if wants_rails:
                 edges = EdgeSettings(width=settings.width, survey_sigma=settings.survey_sigma)

@@ -84,11 +84,9 @@ def write_no_areas(algorithm, parameters, context, crs) -> dict:
     return write_area_layers(algorithm, parameters, context, SurveyedRoads("1", (), (), (), ()), crs) if wanted else {}
 
 
-def tell_surveyed(model, progress) -> None:
-    """What was made, in words."""
-    for kind, count in sorted(Counter(area.kind for area in model.areas).items()):
-        progress.message(tr("{0}: {1}").format(tr(kind), count))
-    for kind, count in sorted(Counter(one.kind for one in model.findings).items()):
+def tell_kinds(things, progress) -> None:
+    """How many things there are of each kind."""
+    for kind, count in sorted(Counter(one.kind for one in things).items()):
         progress.message(tr("{0}: {1}").format(tr(kind), count))
 
 
@@ -109,23 +107,18 @@ def modelled_or_told(edges, level, inputs, progress):
 
 def compute_surveyed(algorithm, parameters, context, progress):
     """LOD2 and finer."""
-    from contextlib import ExitStack
     from dataclasses import replace
 
-    from ...urbanmap_qgis.io.raster import RasterSampler
     from ...urbanmap_qgis.roadspace.road_records import RoadSurfaceModel
     from .road_report import write_survey_report
 
     edges, inputs, table = read_survey_roads(algorithm, parameters, context, progress.part(0.0, 0.1))
-    ground = algorithm.raster_path(parameters, "GROUND", context)
-    with ExitStack() as opened:
-        if ground is not None:
-            raster = opened.enter_context(RasterSampler(ground))
-            algorithm.same_crs("GROUND", raster.crs_wkt, "EDGES", table.crs)
-            inputs = replace(inputs, ground=raster.sample)
+    with algorithm.sampled_raster(parameters, "GROUND", context, "EDGES", table.crs) as ground:
+        inputs = replace(inputs, ground=ground and ground.sample)
         model, trouble = modelled_or_told(edges, algorithm.level(parameters, context), inputs,
                                           progress.part(0.1, 0.8))
-    tell_surveyed(model, progress)
+    tell_kinds(model.areas, progress)
+    tell_kinds(model.findings, progress)
     built = RoadSurfaceModel(model.pieces, (), model.findings)
     results = {**algorithm.write_road_layers(parameters, context, built, table.crs),
                **write_area_layers(algorithm, parameters, context, model, table.crs)}

@@ -102,11 +102,10 @@ class VectorMap(UrbanMapAlgorithm):
         if source is not None:
             self.require_projected("LINES", source.sourceCrs())
 
-    def compute(self, parameters, context, feedback):
+    def work(self, parameters, context, progress):
         from ...urbanmap_qgis.roadmap.bound_ids import bound_ids
         from ...urbanmap_qgis.roadmap.vector_map import build_vector_map
 
-        progress = self.progress(feedback)
         table = self.read_vector(parameters, "LINES", context, progress.part(0.0, 0.05))
         lines = self._lines(table, "class")
         edges = self.read_vector(parameters, "EDGES", context)

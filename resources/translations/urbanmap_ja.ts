@@ -2576,22 +2576,6 @@
         <translation>CityJSON 2.0ファイルです。外周線、詳細度0、1.2、1.3、2.2の立体、面の種別、外周線のフィールド、各建物の数値を持ちます。</translation>
     </message>
     <message>
-        <source>OBJ mesh</source>
-        <translation>OBJメッシュ</translation>
-    </message>
-    <message>
-        <source>Wavefront OBJ (*.obj)</source>
-        <translation>Wavefront OBJ (*.obj)</translation>
-    </message>
-    <message>
-        <source>Wavefront OBJ file, a group for each building.</source>
-        <translation>Wavefront OBJファイルです。建物ごとに1グループです。</translation>
-    </message>
-    <message>
-        <source>HTML report: counts, quality, the worst buildings with reasons.</source>
-        <translation>HTML報告書です。個数、品質、評価の低い建物とその理由を示します。</translation>
-    </message>
-    <message>
         <source>Points with building_id from “Segment buildings”, or any points of airborne scanning.</source>
         <translation>「建物の抽出」によるbuilding_id付きの点、または航空レーザ測量の任意の点。</translation>
     </message>
@@ -2630,6 +2614,18 @@
     <message>
         <source>MultiPolygonZ, one feature a building with all triangles; status, reason, triangles, surfaces, base, height (m), points, rmse, p95, max_error (m), within (share of the uppermost points), watertight, valid.</source>
         <translation>MultiPolygonZ、建物ごとに1地物で全三角形を含みます: status、reason、triangles、surfaces、base、height（m）、points、rmse、p95、max_error（m）、within（最上部の点に占める割合）、watertight、valid。</translation>
+    </message>
+    <message>
+        <source>OBJ mesh</source>
+        <translation>OBJメッシュ</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ (*.obj)</source>
+        <translation>Wavefront OBJ (*.obj)</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ file, a group for each building.</source>
+        <translation>Wavefront OBJファイルです。建物ごとに1グループです。</translation>
     </message>
     <message>
         <source>PLY mesh</source>
@@ -2674,6 +2670,10 @@
     <message>
         <source>Number of all triangles.</source>
         <translation>全三角形の数です。</translation>
+    </message>
+    <message>
+        <source>HTML report: counts, quality, the worst buildings with reasons.</source>
+        <translation>HTML報告書です。個数、品質、評価の低い建物とその理由を示します。</translation>
     </message>
     <message>
         <source>2.5D meshes</source>
@@ -14334,10 +14334,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0}: このシステムのGDALはGeoParquetを書き出せません。.gpkgで終わる名前を指定してください。</translation>
     </message>
     <message>
-        <source>{0} and {1} are both given: give one of them.</source>
-        <translation>{0}と{1}の両方が指定されています。どちらか一方を指定してください。</translation>
-    </message>
-    <message>
         <source>Give point clouds, a raster or a layer, one of them, and the output of that kind.</source>
         <translation>点群、ラスタ、レイヤのいずれか1つと、同じ種類の出力を指定してください。</translation>
     </message>
@@ -14518,10 +14514,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>計測範囲付近の建物{1}棟中{0}棟に壁面がありません。</translation>
     </message>
     <message>
-        <source>{0}: the files state no coordinate reference system; they are taken to be in that of {1}, {2}.</source>
-        <translation>{0}: ファイルに座標参照系の記載がありません。{1}の{2}とみなします。</translation>
-    </message>
-    <message>
         <source>Correction in plan (m)</source>
         <translation>水平補正量 (m)</translation>
     </message>
@@ -14664,10 +14656,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Step: {0}</source>
         <translation>手順: {0}</translation>
-    </message>
-    <message>
-        <source>{0} does not reach {1}; give a raster of the same place.</source>
-        <translation>{0}が{1}の範囲に届いていません。同じ場所のラスタを指定してください。</translation>
     </message>
     <message>
         <source>{0}: {1} cannot be opened as a vector layer; check the file and the layer name.</source>
@@ -16530,6 +16518,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0}に書き込めません: {1}</translation>
     </message>
     <message>
+        <source>{0}: the files state no coordinate reference system; they are taken to be in that of {1}, {2}.</source>
+        <translation>{0}: ファイルに座標参照系の記載がありません。{1}の{2}とみなします。</translation>
+    </message>
+    <message>
         <source>{0} and {1} lie on each other only where x and y of one of them are swapped; swap them in the one that counts x to the north.</source>
         <translation>{0}と{1}は、一方のxとyを入れ替えた場合にのみ重なります。xが北向きの方のxとyを入れ替えてください。</translation>
     </message>
@@ -16570,6 +16562,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>点の高さは{0}ですが、この版のQGISではレイヤに記録できません。都市モデルのファイルには記録されます。</translation>
     </message>
     <message>
+        <source>{0} does not reach {1}; give a raster of the same place.</source>
+        <translation>{0}が{1}の範囲に届いていません。同じ場所のラスタを指定してください。</translation>
+    </message>
+    <message>
         <source>In a temporary folder, gone when QGIS ends: {0}. Give these outputs a name to keep them.</source>
         <translation>一時フォルダにあり、QGIS の終了時に消えます：{0}。残すには、これらの出力に名前を付けてください。</translation>
     </message>
@@ -16592,6 +16588,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0}: {1} is neither a CSV, an SBET nor a point layer; check the file.</source>
         <translation>{0}: {1}はCSV、SBET、点レイヤのいずれでもありません。ファイルを確認してください。</translation>
+    </message>
+    <message>
+        <source>{0} and {1} are both given: give one of them.</source>
+        <translation>{0}と{1}の両方が指定されています。どちらか一方を指定してください。</translation>
     </message>
     <message>
         <source>{0}: no file was given.</source>
@@ -17418,16 +17418,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0} が指定されていません。この詳細度はそれから作ります。</translation>
     </message>
     <message>
-        <source>{0}: {1}</source>
-        <translation>{0}：{1}</translation>
-    </message>
-    <message>
         <source>{0} objects along {1:.0f} m.</source>
         <translation>{1:.0f} m の区間に地物 {0} 個。</translation>
     </message>
     <message>
         <source>{0} is not given: CityGML then has no creationDate, which PLATEAU asks for.</source>
         <translation>{0}が指定されていません。CityGML に PLATEAU が必須とする creationDate が入りません。</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}：{1}</translation>
     </message>
     <message>
         <source>{0} objects are doubtful: {1}.</source>

@@ -140,8 +140,9 @@ def close_layers(context: QgsProcessingContext, staging: Staging) -> None:
 
 
 def results_outside(results: Mapping, staging: Staging) -> dict:
-    """Results with the places where the outputs are now."""
-    return {name: staging.outside(value) if isinstance(value, str) else value for name, value in results.items()}
+    """Results with the places where the outputs are now; a number that is not known is none."""
+    return {name: staging.outside(value) if isinstance(value, str) else value if value == value else None
+            for name, value in results.items()}
 
 
 def definition_of(parameters: Mapping, name: str) -> QgsProcessingOutputLayerDefinition | None:

@@ -55,10 +55,9 @@ def numbers(table: VectorTable, name: str):
 
 def open_points(algorithm, parameters: Mapping, context, footprints: VectorTable, progress: Progress = SILENT,
                 may_be_empty: bool = False, name: str = "FOOTPRINTS"):
-    """The point cloud of the parameter POINTS, in the CRS of the outlines; None where none was given.
+    """The point cloud of the parameter POINTS, in the CRS of the outlines of `name`; None where none was given.
 
-    A cloud that states no CRS is taken to be in the outlines' one, and the user is told. `name` is the parameter of the
-    outlines.
+    A cloud that states no CRS is taken to be in the outlines' one, and the user is told.
 
     Raises
     ------
@@ -75,15 +74,15 @@ def open_points(algorithm, parameters: Mapping, context, footprints: VectorTable
         progress.warn(tr("{0}: the files state no coordinate reference system; they are taken to be in that of {1}, "
                          "{2}.").format(algorithm.label_of("POINTS"), algorithm.label_of(name),
                                         crs_name(footprints.crs)))
-        refuse_swapped(algorithm, cloud, footprints)
+        refuse_swapped(algorithm, cloud, footprints, name)
         return replace(cloud, crs_wkt=footprints.crs_wkt)
     algorithm.require_projected("POINTS", cloud.crs_wkt)
     algorithm.same_crs("POINTS", cloud.crs_wkt, name, footprints.crs)
-    refuse_swapped(algorithm, cloud, footprints)
+    refuse_swapped(algorithm, cloud, footprints, name)
     return cloud
 
 
-def refuse_swapped(algorithm, cloud, footprints: VectorTable) -> None:
+def refuse_swapped(algorithm, cloud, footprints: VectorTable, name: str) -> None:
     """Refuse points that lie on the outlines only where x and y are swapped, as some programs write them in Japan.
 
     Raises
@@ -98,7 +97,7 @@ def refuse_swapped(algorithm, cloud, footprints: VectorTable) -> None:
                                              tuple(shapely.total_bounds(footprints.geometries))):
         raise InputError(tr("{0} and {1} lie on each other only where x and y of one of them are swapped; swap them in "
                             "the one that counts x to the north.").format(
-                                algorithm.label_of("POINTS"), algorithm.label_of("FOOTPRINTS")))
+                                algorithm.label_of("POINTS"), algorithm.label_of(name)))
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ from ..declaring.parameters import tr
 from .crs import crs_from, crs_name, heights, require_projected, same_plan, wkt_of
 
 POINTS = "POINTS"
+AROUND = 60.0  # m of a raster read beyond the features that it is for
 
 
 def points_wkt(algorithm, parameters: Mapping, context) -> str:
@@ -108,3 +109,35 @@ def with_heights_of_points(table, cloud, progress: Progress = SILENT):
         progress.warn(tr("The points' heights are in {0}, which this release of QGIS cannot state in layers; files "
                          "of city models state it.").format(heights_of(stated)))
     return result
+
+
+def ground_heights(algorithm, parameters: Mapping, context, table, progress: Progress, name: str = "FOOTPRINTS"):
+    """Grid and heights (rows, columns), m, of GROUND round the features of `name`; None where none is given.
+
+    Raises
+    ------
+    InputError : the raster cannot be taken into the layer's CRS, or does not reach it.
+    """
+    path = algorithm.raster_path(parameters, "GROUND", context)
+    if path is None:
+        return None
+    import shapely
+
+    from ....urbanmap_qgis.io.raster import RasterSampler, read_raster
+
+    x_min, y_min, x_max, y_max = shapely.total_bounds(table.geometries)
+    around = (x_min - AROUND, y_min - AROUND, x_max + AROUND, y_max + AROUND)
+    with RasterSampler(path) as source:
+        stated = source.crs_wkt
+    algorithm.same_heights("GROUND", stated, POINTS, points_wkt(algorithm, parameters, context))
+    if needs_moving(stated, table.crs_wkt):
+        algorithm.same_heights("GROUND", stated, name, table.crs)
+        return raster_in(path, algorithm.label_of("GROUND"), table.crs_wkt, around, progress)
+    heights, whole, crs = read_raster(path)
+    algorithm.same_crs("GROUND", crs, name, table.crs)
+    rows, columns, grid = whole.window(*around)
+    heights = heights[rows, columns]
+    if not heights.size:
+        raise InputError(tr("{0} does not reach {1}; give a raster of the same place.").format(
+            algorithm.label_of("GROUND"), algorithm.label_of(name)))
+    return grid, heights

@@ -82,20 +82,23 @@ class TrajectoryParameters(Declarations):
 
     def trajectory_reading(self, parameters: Mapping, context: QgsProcessingContext):
         """The core's `TrajectoryReading` of ANGLES, GEOID and GEOID_HEIGHT; the usual one where none is declared."""
-        from ....urbanmap_qgis.io.conversion.geoid import Geoid, read_geoid
         from ....urbanmap_qgis.mobile.trajectory_reading import USUAL, TrajectoryReading
 
         if self.parameterDefinition("ANGLES") is None:
             return USUAL
-        model, geoid = self.input_path(parameters, "GEOID", context), None
-        if parameters.get("GEOID_HEIGHT") is not None:
-            if model:
-                raise InputError(tr("{0} and {1} are both given: give one of them.").format(
-                    self.label_of("GEOID"), self.label_of("GEOID_HEIGHT")))
-            geoid = Geoid.constant(self.parameterAsDouble(parameters, "GEOID_HEIGHT", context))
-        elif model:
-            geoid = read_geoid(model)
-        return TrajectoryReading(self.parameterAsString(parameters, "ANGLES", context), geoid)
+        return TrajectoryReading(self.parameterAsString(parameters, "ANGLES", context), self.geoid(parameters, context))
+
+    def geoid(self, parameters: Mapping, context: QgsProcessingContext):
+        """The core's `Geoid` of GEOID or GEOID_HEIGHT, None where neither is given."""
+        from ....urbanmap_qgis.io.conversion.geoid import Geoid, read_geoid
+
+        path = self.input_path(parameters, "GEOID", context)
+        if parameters.get("GEOID_HEIGHT") is None:
+            return read_geoid(path) if path else None
+        if path:
+            raise InputError(tr("{0} and {1} are both given: give one of them.").format(
+                self.label_of("GEOID"), self.label_of("GEOID_HEIGHT")))
+        return Geoid.constant(self.parameterAsDouble(parameters, "GEOID_HEIGHT", context))
 
     def read_trajectory(self, parameters: Mapping, name: str, context: QgsProcessingContext,
                         crs_wkt: str | None = None, progress=None):
