@@ -20,14 +20,14 @@ if __name__ == "__main__":
 from scripts import source_tree
 
 BUDGET = {  # to be lowered only
-    "lines of the core": 112_770,
-    "lines of code of the core": 74_680,
-    "named numbers": 2_690,
-    "numbers in functions": 2_010,
-    "records that at most one other module names": 328,
-    "lines of algorithms": 18_090,
-    "lines of scripts": 13_040,
-    "lines of tests": 59_900,
+    "lines of the core": 111_300,
+    "lines of code of the core": 73_980,
+    "named numbers": 2_520,
+    "numbers in functions": 2_000,
+    "records that at most one other module names": 326,
+    "lines of algorithms": 17_880,
+    "lines of scripts": 12_850,
+    "lines of tests": 59_500,
     "algorithms and models in the toolbox": 48,
 }
 
