@@ -207,6 +207,14 @@ def _gml_folder(path: Path):
     return gml_folder_trouble(path.parent)
 
 
+def _updated(path: Path):
+    from urbanmap_qgis.citymodel.spliced import write_updated
+
+    with tempfile.TemporaryDirectory(prefix="urbanmap-fuzz-") as folder:
+        changed = path.parent if path.suffix == ".gml" else path
+        write_updated(path, changed, Path(folder) / ("a" if path.suffix == ".gml" else "a.json"), ["none"])
+
+
 def _tile_record(path: Path):
     from types import SimpleNamespace
 
@@ -376,6 +384,8 @@ FORMATS: dict[str, tuple[str, Callable, Callable]] = {
     "roads of PLATEAU": ("a.gml", sound.roads, _city_files),
     "roads, checked": ("a.gml", sound.roads, _checked),
     "CityGML of a folder": ("a.gml", sound.citygml, _gml_folder),
+    "CityGML that is updated": ("a.gml", sound.citygml, _updated),
+    "CityJSON that is updated": ("a.city.json", sound.copied("models/buildings.city.json"), _updated),
     "CityJSONSeq": ("a.city.jsonl", sound.sequence, _city_files),
     "textured CityJSON": ("a.city.json", sound.textured, _of("citymodel.cityjson.textured_faces",
                                                              "read_textured_faces")),

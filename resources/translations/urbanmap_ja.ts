@@ -9810,6 +9810,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path} は出力と形式が異なります。CityJSONにはCityJSON、CityGMLのフォルダにはCityGMLを選んでください。変換には「都市モデルの書出し」を使います。</translation>
     </message>
     <message>
+        <source>{path} cannot be updated: it is damaged, or no city model of this format.</source>
+        <translation>{path} を更新できません。破損しているか、この形式の都市モデルではありません。</translation>
+    </message>
+    <message>
         <source>{path} is no sound XML ({error}): copy or download it again.</source>
         <translation>{path} は正しいXMLではありません（{error}）。コピーまたはダウンロードし直してください。</translation>
     </message>

@@ -12,6 +12,7 @@ from xml.etree import ElementTree
 
 from ..errors import InputError
 from ..io.files.atomic import written_beside
+from ..io.files.guard import read_json
 from ..wording import say
 from .spliced_gml import member_bytes, write_spliced
 from .spliced_json import spliced_cityjson
@@ -19,6 +20,8 @@ from .spliced_json import spliced_cityjson
 _GEOMETRY = re.compile(r"\}(lod\d\w*|boundedBy)$")
 _HEIGHT = re.compile(r"\}measuredHeight$")
 _ID = "{http://www.opengis.net/gml}id"
+_DAMAGED = (ElementTree.ParseError, ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
+"""What a file that is no whole city model raises while it is spliced."""
 
 
 def write_updated(old: str | os.PathLike | None, changed: str | os.PathLike | None, target: str | os.PathLike,
@@ -34,7 +37,7 @@ def write_updated(old: str | os.PathLike | None, changed: str | os.PathLike | No
 
     Raises
     ------
-    InputError : the old model is of the other format than what is to be written.
+    InputError : the old model is damaged, or of the other format than what is to be written.
     """
     into_json = (changed is not None and Path(changed).is_file()) or Path(target).suffix == ".json"
     if old is None:
@@ -43,20 +46,20 @@ def write_updated(old: str | os.PathLike | None, changed: str | os.PathLike | No
     if (Path(old).suffix.lower() == ".gml") == into_json:
         raise InputError(say("{path} is of another format than the output: choose CityJSON for CityJSON, and a folder "
                              "of CityGML for CityGML; “Export city model” converts.", path=Path(old).name))
-    if into_json:
-        _write_json(Path(old), changed, target, gone)
-    else:
-        _write_gml(Path(old), changed, Path(target), gone)
+    try:
+        (_write_json if into_json else _write_gml)(Path(old), changed, Path(target), gone)
+    except _DAMAGED as error:
+        raise InputError(say("{path} cannot be updated: it is damaged, or no city model of this format.",
+                             path=Path(old).name)) from error
 
 
 def _copy_folder(source: str, target: str) -> None:
     shutil.copytree(source, target, dirs_exist_ok=True)
 
 
-def _write_json(old: Path, changed: str | os.PathLike | None, target: str | os.PathLike, gone: Sequence[str]) -> None:
-    model = json.loads(old.read_text(encoding="utf-8"))
-    new = json.loads(Path(changed).read_text(encoding="utf-8")) if changed else {}
-    with written_beside(Path(target)) as temporary:
+def _write_json(old: Path, changed: str | os.PathLike | None, target: Path, gone: Sequence[str]) -> None:
+    model, new = read_json(old, "CityJSON"), read_json(changed, "CityJSON") if changed else {}
+    with written_beside(target) as temporary:
         temporary.write_text(json.dumps(spliced_cityjson(model, new, gone), ensure_ascii=False), encoding="utf-8")
 
 
