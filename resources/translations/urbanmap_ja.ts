@@ -8730,6 +8730,22 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{paths} に属性 {name} がありません。先に「{maker}」を実行し、その結果を指定してください。</translation>
     </message>
     <message>
+        <source>low</source>
+        <translation>低い</translation>
+    </message>
+    <message>
+        <source>movable</source>
+        <translation>移動体の可能性</translation>
+    </message>
+    <message>
+        <source>deck</source>
+        <translation>橋・斜路</translation>
+    </message>
+    <message>
+        <source>no ground</source>
+        <translation>周囲に地面なし</translation>
+    </message>
+    <message>
         <source>It is {height:.1f} m high.</source>
         <translation>高さは {height:.1f} m です。</translation>
     </message>
@@ -8756,6 +8772,18 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>No point of the cloud lies on a roof: check that it shows buildings and that its heights are in metres.</source>
         <translation>屋根にある点が見つかりません。点群に建物が含まれ、高さの単位がメートルであることを確認してください。</translation>
+    </message>
+    <message>
+        <source>classes</source>
+        <translation>分類クラス</translation>
+    </message>
+    <message>
+        <source>echoes</source>
+        <translation>反射</translation>
+    </message>
+    <message>
+        <source>surfaces</source>
+        <translation>面</translation>
     </message>
     <message>
         <source>A part of the model has no height: give finite heights.</source>
@@ -14110,10 +14138,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>面の{far_share:.0f} %は、点のない{far:g} m以上の区間（水面、欠測）にまたがっています。除外するには最大辺長を設定してください。</translation>
     </message>
     <message>
-        <source>classes</source>
-        <translation>分類クラス</translation>
-    </message>
-    <message>
         <source>the cloth filter</source>
         <translation>クロスフィルタ</translation>
     </message>
@@ -15624,10 +15648,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>triangles</source>
         <translation>三角形</translation>
-    </message>
-    <message>
-        <source>surfaces</source>
-        <translation>面</translation>
     </message>
     <message>
         <source>lowest roof above the ground (m)</source>
@@ -19000,10 +19020,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>part of the outline without model</source>
         <translation>外周線の一部にモデルなし</translation>
-    </message>
-    <message>
-        <source>low</source>
-        <translation>低い</translation>
     </message>
     <message>
         <source>lost roofs</source>

@@ -136,6 +136,12 @@ def roof_heights(solids):
     return sorted(heights)
 
 
+def same_heights(found, expected):
+    """Whether each height is one of the expected, and each of these is there."""
+    apart = np.abs(np.subtract.outer(found, expected))
+    return (apart.min(axis=0) < 0.05).all() and (apart.min(axis=1) < 0.05).all()
+
+
 @pytest.mark.parametrize("name", KNOWN)
 def test_known_building(buildings, name):
     heights, area, content = KNOWN[name]
@@ -145,7 +151,7 @@ def test_known_building(buildings, name):
     assert building.row["volume"] == pytest.approx(content, rel=0.02)
     assert building.row["base"] == pytest.approx(GROUND, abs=0.05)
     assert sum(map(volume, building.object.solids)) == pytest.approx(building.row["volume"], rel=1e-4)
-    assert np.allclose(roof_heights(building.object.solids), heights, rtol=0, atol=0.05)
+    assert same_heights(roof_heights(building.object.solids), heights)
     assert building.row["height"] + building.row["base"] == pytest.approx(heights[-1], abs=0.05)
 
 
@@ -289,7 +295,7 @@ def test_turned_and_moved_town_has_the_same_roofs(town, synthetic, save_outlines
     for name, (heights, area, content) in KNOWN.items():
         found = solids[f"building-{rows[name]['building_id']}"]
         assert rows[name]["status"] == "ok", name
-        assert np.allclose(roof_heights(found), heights, rtol=0, atol=0.05), name
+        assert same_heights(roof_heights(found), heights), name
         assert rows[name]["area"] == pytest.approx(area, rel=0.01), name
         assert rows[name]["volume"] == pytest.approx(content, rel=0.02), name
         assert [str(problem) for solid in found for problem in check_solid(solid)] == [], name

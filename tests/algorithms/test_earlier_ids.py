@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import pytest
 
-SHOWN = 46
+SHOWN = 48
 MERGED = {"loadgsibuildings": "loadgsi", "loadgsidem": "loadgsi", "checkvectormap": "checkmodel",
           "checkcitymodel": "checkmodel", "checkaccuracy": "acceptance", "filtervehicles": "orthorectifyframes",
           "satellitevisibility": "localisationaccuracy", "landmarkupdate": "adjustsurveys", "mesh25d": "buildingmodels"}

@@ -92,6 +92,7 @@ def test_no_algorithm_and_no_chain_loses_a_building(made, small_city):
                     f'SELECT count(DISTINCT building_id) FROM "{path.stem}"').fetchone()[0]
     of_walls = {"wallsfrommms-OUTPUT.gpkg", "mergebuildingmodels-OUTPUT_WALLS.gpkg"}
     assert len(counts) > 15 and of_walls < set(counts) and "output.gpkg" in counts
+    assert counts.pop("updatebuildings-OUTPUT.gpkg") >= outlines and counts.pop("buildingoutlines-OUTPUT.gpkg") > 5
     assert {name: count for name, count in counts.items() if count != outlines and name not in of_walls} == {}
 
 

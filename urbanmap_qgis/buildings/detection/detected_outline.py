@@ -16,10 +16,10 @@ from scipy.spatial import cKDTree
 
 from ...errors import InsufficientDataError
 from ...settings.buildings import DetectionSettings
-from ...wording import say
+from ...wording import mark, say
 from ..polygons.outline_from_points import outline_from_points
 
-OK, LOW, MOVABLE, DECK, AFLOAT = "ok", "low", "movable", "deck", "no ground"
+OK, LOW, MOVABLE, DECK, AFLOAT = "ok", mark("low"), mark("movable"), mark("deck"), mark("no ground")
 """States: a building; lower than a storey; of the size of a vehicle or container; a surface that goes on into the
 ground, such as a bridge; nothing of the ground about it, such as a ship or a crane's arm."""
 

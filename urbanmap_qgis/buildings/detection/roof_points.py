@@ -9,6 +9,7 @@ from ...errors import InsufficientDataError
 from ...geometry.grid import Grid
 from ...geometry.sampling import sample
 from ...terrain.surface import ground_raster
+from ...wording import mark
 from .roof_surfaces import SUREST, roof_odds
 
 BUILDING_CLASS = 6
@@ -19,7 +20,7 @@ CONTEXT = 10.0
 RIM = 2.0
 """Distance (m) from a roof point within which the ground beside it is looked for."""
 
-CLASSES, ECHOES, SURFACES = "classes", "echoes", "surfaces"
+CLASSES, ECHOES, SURFACES = mark("classes"), mark("echoes"), mark("surfaces")
 """How roofs are told: by class 6, by surfaces and the echoes of pulses, or by surfaces alone."""
 
 POINT = np.dtype([("x", "f8"), ("y", "f8"), ("z", "f8"), ("code", "u1"), ("last", "?")])
