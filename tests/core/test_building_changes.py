@@ -16,6 +16,7 @@ from urbanmap_qgis.buildings.update.update_stage import city_changes
 from urbanmap_qgis.buildings.update.update_table import new_ids
 from urbanmap_qgis.citymodel.spliced import write_updated
 from urbanmap_qgis.citymodel.spliced_gml import members_of
+from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.io.points.pointcloud import open_cloud
 
 PLANS = [shapely.box(x, y, x + 10, y + 9) for y in (10, 40, 70) for x in (8, 38, 68)]
@@ -131,3 +132,9 @@ def test_a_cityjson_keeps_every_value_of_what_stayed(tmp_path):
     assert made["CityObjects"]["A"]["attributes"] == {"use": "shop", "h": 9}
     assert made["CityObjects"]["N"]["geometry"][0]["boundaries"] == [[[1, 1, 1]]]
     assert made["vertices"] == [[1, 2, 3], [10, 20, 30]]
+
+
+def test_a_document_type_is_refused(tmp_path):
+    (tmp_path / "old.gml").write_text(GML.replace("<core:CityModel", '<!DOCTYPE a [<!ENTITY b "c">]><core:CityModel'))
+    with pytest.raises(InputError, match="DOCTYPE"):
+        write_updated(tmp_path / "old.gml", None, tmp_path / "out", ["B"])

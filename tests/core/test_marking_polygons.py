@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from pyproj import CRS
 from rasterio.transform import Affine
 
+from urbanmap_qgis.aerial.markings.marking_filter import CleanSettings
 from urbanmap_qgis.aerial.markings.marking_polygons import (
     merge_tile_polygons,
     most_in_doubt,
@@ -51,7 +52,8 @@ def drawn(shapes, rows=160, columns=160, fine=32, coarse=8):
 def found_in(bands, tile=None):
     everywhere = np.ones(bands.shape[1:], bool)
     levels = level_adjustment_of(paint_brightness(bands).ravel())
-    markings = find_markings(bands, everywhere, None, PIXEL, levels, MarkingSettings())
+    all_kept = MarkingSettings(cleaning=CleanSettings(min_confidence=0.0))
+    markings = find_markings(bands, everywhere, None, PIXEL, levels, all_kept)
     return polygons_of(markings, tile)
 
 

@@ -8,7 +8,7 @@ import re
 import shutil
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from xml.etree import ElementTree
+from xml.etree import ElementTree  # nosec B405 # members alone, of files without a document type declaration
 
 from ..errors import InputError
 from ..io.files.atomic import written_beside
@@ -94,7 +94,7 @@ def with_geometry_of(old: bytes, new: bytes) -> tuple[bytes, set[str]]:
     """
     for prefix, uri in re.findall(rb'xmlns:([\w.-]+)="([^"]+)"', old[:old.index(b">")] + new[:new.index(b">")]):
         ElementTree.register_namespace(prefix.decode(), uri.decode())
-    member, other = ElementTree.fromstring(old), ElementTree.fromstring(new)
+    member, other = (ElementTree.fromstring(each) for each in (old, new))  # nosec B314 # see the import
     building, source = member[0], other[0]
     geometry = [child for child in source if _GEOMETRY.search(str(child.tag))]
     places = [place for place, child in enumerate(building) if _GEOMETRY.search(str(child.tag))]

@@ -28,7 +28,12 @@ class _MemberParser:
         self._depth, self._start, self._id, self._closing = 0, 0, "", False
         self.parser = expat.ParserCreate(namespace_separator=" ")
         self.parser.StartElementHandler, self.parser.EndElementHandler = self._opened, self._closed
+        self.parser.StartDoctypeDeclHandler = self._refused
         self.parser.DefaultHandler = self.parser.CharacterDataHandler = self.parser.CommentHandler = self._finish
+
+    def _refused(self, *_declaration: object) -> None:
+        """Entities of a document type can grow without bound."""
+        raise expat.ExpatError("<!DOCTYPE")
 
     def _opened(self, name: str, attributes: Mapping[str, str]) -> None:
         self._finish()
