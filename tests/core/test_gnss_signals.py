@@ -9,9 +9,9 @@ import pytest
 from pyproj import CRS
 
 from urbanmap_qgis.errors import InputError, InsufficientDataError
+from urbanmap_qgis.geometry.grouped_median import grouped_median
 from urbanmap_qgis.gnss.signals.antenna_height import (
     estimate_height,
-    grouped_median,
     strong_scatter,
     strong_signals,
     tukey,

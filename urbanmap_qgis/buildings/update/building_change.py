@@ -9,6 +9,7 @@ import numpy as np
 import shapely
 from scipy import ndimage
 
+from ...geometry.grouped_median import grouped_median
 from ...geometry.tolerances import SIGMA_OF_MAD
 from ...settings.buildings import UpdateSettings
 from ...wording import say
@@ -98,7 +99,8 @@ def roof_differences(old: OldBuilding, points: np.ndarray, side: float) -> PlanC
     number = (np.clip((points["y"] - south) // side, 0, rows - 1) * columns
               + np.clip((points["x"] - west) // side, 0, columns - 1)).astype(np.int64)
     above = height_differences(points["x"], points["y"], points["z"], list(old.roofs))
-    difference = _medians(above, number, rows * columns)
+    known = np.isfinite(above)
+    difference = grouped_median(above[known], number[known], rows * columns)
     roofs = np.bincount(number, points["roof"], rows * columns)
     total = np.bincount(number, minlength=rows * columns)
     return PlanCells(inside, difference.reshape(rows, columns), (roofs < total / 2.0).reshape(rows, columns),
@@ -188,19 +190,6 @@ def _largest(mask: np.ndarray) -> int:
     opened = ndimage.binary_opening(mask, np.ones((2, 2), bool))
     label, _ = ndimage.label(opened)
     return int(np.bincount(label.ravel())[1:].max(initial=0))
-
-
-def _medians(values: np.ndarray, number: np.ndarray, count: int) -> np.ndarray:
-    """Median (count,) of the values (n,) of each number (n,); NaN without any."""
-    known = np.isfinite(values)
-    values, number = values[known], number[known]
-    order = np.lexsort((values, number))
-    sizes = np.bincount(number, minlength=count)
-    ends = np.cumsum(sizes)
-    result = np.full(count, np.nan)
-    there = sizes > 0
-    result[there] = values[order][(ends - sizes + (sizes - 1) // 2)[there]]
-    return result
 
 
 def _slopes(roof: RoofCell) -> bool:

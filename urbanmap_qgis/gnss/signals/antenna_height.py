@@ -10,6 +10,7 @@ import numpy as np
 from scipy import sparse
 
 from ...errors import InsufficientDataError
+from ...geometry.grouped_median import grouped_median
 from ...geometry.tolerances import SIGMA_OF_MAD
 from ...wording import say
 from .tables import Signals
@@ -27,19 +28,6 @@ _COARSE = np.array([40.0, 20.0, 10.0, 6.0, 4.0, 3.0, 3.0, 3.0, 3.0, 3.0])
 def tukey(scaled: np.ndarray) -> np.ndarray:
     """Tukey's weights: 1 at 0, 0 from 4.7 sigma on; 0 for NaN."""
     return np.where(np.abs(scaled) < TUKEY, (1 - (scaled / TUKEY) ** 2) ** 2, 0.0)
-
-
-def grouped_median(value: np.ndarray, group: np.ndarray, count: int) -> np.ndarray:
-    """(count,) median of the values of each group; NaN for empty ones."""
-    order = np.lexsort((value, group))
-    value, group = value[order], group[order]
-    size = np.bincount(group, minlength=count)
-    first = np.concatenate([[0], np.cumsum(size)[:-1]])
-    median = np.full(count, np.nan)
-    full = size > 0
-    low, high = first[full] + (size[full] - 1) // 2, first[full] + size[full] // 2
-    median[full] = 0.5 * (value[low] + value[high])
-    return median
 
 
 def strong_signals(signals: Signals) -> np.ndarray:

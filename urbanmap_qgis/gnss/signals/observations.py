@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...errors import InputError, InsufficientDataError
+from ...geometry.grouped_median import grouped_median
 from ...mobile.gps_time import ADJUSTMENT, WEEK
 from ...mobile.trajectory import Trajectory, body_to_map, gaps
 from ...progress import SILENT, Progress
@@ -31,7 +32,7 @@ from ..orbits.ephemeris import (
 )
 from ..rinex.gnss_time import UNIX_START, leap_seconds, span_text, spans_text
 from ..rinex.observation_file import BESIDE_ONLY, Observations, read_observations
-from .antenna_height import estimate_height, grouped_median, strong_scatter, strong_signals
+from .antenna_height import estimate_height, strong_scatter, strong_signals
 from .atmosphere import ionosphere, nearest_model, troposphere
 from .measured_ionosphere import MeasuredIonosphere, TwoBands, layer_mapping, measure_ionosphere
 from .tables import SYSTEM_NAMES, Epochs, Signals
